@@ -181,11 +181,11 @@ def _moved(value: Any, lines: Lines) -> Any:
 
 
 def _line(line: int | None, there: Mapping[int, int]) -> int | None:
-    """The new line; the first one stands for a whole file, too."""
-    if line is None:
-        return None
+    """The new line; the first one stands for a whole file, too, and for nothing else where there is no code on it."""
+    if line is None or (line == 1 and there.get(1, 1) == 1):
+        return line
     now = there.get(line)
-    if now is None or (line == 1 and now != 1):
+    if now is None or line == 1:
         raise LineLost
     return now
 

@@ -73,7 +73,7 @@ class Architectures:
 
         With *lines*, it is what the cache has of *base*, of which code has only moved to these.
         """
-        key, kept = _key(workspace), self._kept()
+        key, kept = _key(workspace), self.keeping()
         if kept is None or key in self._made:
             return self.of(workspace)
         found = kept.get(workspace, lambda: self._linked(workspace), base or workspace, lines)
@@ -83,7 +83,7 @@ class Architectures:
             kept.put(base or workspace, self.of(workspace).architecture)
         return self.of(workspace)
 
-    def _kept(self) -> KeptArchitectures | None:
+    def keeping(self) -> KeptArchitectures | None:
         """Where architectures are kept; nowhere where they depend on more than files and settings."""
         if self.settings.plugins or self.settings.exact or self.settings.cache_dir is None:
             return None

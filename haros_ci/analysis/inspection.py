@@ -104,10 +104,14 @@ def _inspected(
     processes = settings.jobs if len(workspace.files) > FEW else 1
     share = partial(shared, processes=processes, here=OF_CHANGES)
     old = base.workspace if base is not None else None
-    beside = partial(lacking, made, workspace, settings)
+    kept, of = architectures.keeping(), base.workspace if base is not None and lines is not None else workspace
+    before = kept.sentences(of) if kept is not None else None
+    beside = partial(lacking, made, workspace, settings) if before is None else partial(tuple[str, ...], before)
     of_systems, of_project, changes, sentences = run_all(
         chosen, all_systems, project, own.TOOL, under, share, old, beside
     )
+    if kept is not None and before is None:
+        kept.put_sentences(of, sentences)
     failures = (*of_systems.notifications, *of_project.notifications)
     faults = tuple(refused(workspace))
     cut: tuple[Problem, ...] = ()

@@ -17,11 +17,12 @@ from haros_ci.analysis.architecture_codec import LineLost, Lines, decoded, encod
 from haros_ci.analysis.kept_runs import GROUP, MAX_OUTPUT, MAX_PACKED, key_of
 from haros_ci.model.architecture import Architecture, Configuration
 from haros_ci.model.workspace import Store, Workspace
+from haros_ci.report.escape import multiline
 from haros_ci.systems.link import Linked
 from haros_ci.timing import timed
 from haros_ci.workspace.build import builds
 
-NAME = "systems"
+NAME, LACKING = "systems", "lacking"
 Make = Callable[[], Linked]
 
 
@@ -57,6 +58,18 @@ class KeptArchitectures:
         packed = zlib.compress(data, 1) if data is not None and len(data) <= MAX_OUTPUT else b""
         if packed and len(packed) <= MAX_PACKED:
             self.store.put(GROUP, f"{NAME} {key}", key, b64encode(packed).decode())
+
+    def sentences(self, workspace: Workspace) -> tuple[str, ...] | None:
+        """What is kept of what the architecture of *workspace* lacks; None if nothing is."""
+        key = key_of(LACKING, self.settings, workspace)
+        kept = self.store.get(GROUP, f"{LACKING} {key}", key)
+        is_text = isinstance(kept, list) and all(isinstance(sentence, str) for sentence in kept)
+        return tuple(map(multiline, kept)) if is_text and isinstance(kept, list) else None
+
+    def put_sentences(self, workspace: Workspace, sentences: tuple[str, ...]) -> None:
+        """Keep what the architecture of *workspace* lacks."""
+        key = key_of(LACKING, self.settings, workspace)
+        self.store.put(GROUP, f"{LACKING} {key}", key, list(sentences))
 
     @timed("cache")
     def _read(self, base: Workspace, workspace: Workspace, lines: Lines | None) -> Architecture | None:
