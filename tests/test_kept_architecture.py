@@ -104,6 +104,11 @@ LOST: dict[str, tuple[Architecture, dict[int, int]]] = {
     "the end of something": (of(replace(END, location=Location(CODE, 7, 1, 8, 2))), {7: 8, 9: 10}),
     "a first line that may stand for the file": (of(FIRST, twins=()), {1: 2, 7: 8}),
     "a sentence with a line": (of(END, unknowns=(Unknown("name", "see go.cpp:7", PLACE),)), {7: 8, 9: 10}),
+    "a place in a text": (of(END, container=f"{CODE}:7:walker"), {7: 8, 9: 10}),
+    "a place in a sentence on another file": (
+        of(END, problems=(Problem(LAUNCH, f"as {CODE}:7 does", 7),)),
+        {7: 8, 9: 10},
+    ),
     "another such sentence": (of(END, problems=(Problem(CODE, "unlike line 7", 7),)), {7: 8, 9: 10}),
 }
 

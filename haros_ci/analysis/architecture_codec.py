@@ -150,7 +150,7 @@ def _read(data: bytes, kind: type[Any], lines: Lines | None) -> list[Any]:
     """The things of one *kind* that *data* is."""
     found: list[Any] = msgspec.msgpack.decode(data, type=GenericAlias(list, (kind,)))
     if lines:
-        texts = [msgspec.msgpack.encode(path) for path in lines]
+        texts = [path.encode() for path in lines]
         raw = msgspec.msgpack.decode(data, type=list[msgspec.Raw])
         for number, item in enumerate(map(bytes, raw)):
             if any(text in item for text in texts):
@@ -160,13 +160,18 @@ def _read(data: bytes, kind: type[Any], lines: Lines | None) -> list[Any]:
 
 def _moved(value: Any, lines: Lines) -> Any:
     """*value* with the new lines of all places in it."""
+    if isinstance(value, str):
+        return _named(value, lines)
     if isinstance(value, tuple):
         return tuple([_moved(part, lines) for part in value])
-    if isinstance(value, (Location, Problem)):
+    if isinstance(value, Problem):
+        message = _named(value.message, lines)
         if value.path not in lines:
             return value
-        if isinstance(value, Problem):
-            return replace(value, line=_line(value.line, lines[value.path]), message=_sentence(value.message))
+        return replace(value, line=_line(value.line, lines[value.path]), message=_sentence(message))
+    if isinstance(value, Location):
+        if value.path not in lines:
+            return value
         there = lines[value.path]
         return replace(value, line=_line(value.line, there), end_line=_line(value.end_line, there))
     if not is_dataclass(value) or isinstance(value, type):
@@ -174,7 +179,7 @@ def _moved(value: Any, lines: Lines) -> Any:
     new = {}
     for field in fields(value):
         part = getattr(value, field.name)
-        now = _sentence(part) if field.name in _SENTENCES else _moved(part, lines)
+        now = _moved(_sentence(part) if field.name in _SENTENCES else part, lines)
         if now is not part:
             new[field.name] = now
     return replace(value, **new) if new else value
@@ -188,6 +193,13 @@ def _line(line: int | None, there: Mapping[int, int]) -> int | None:
     if now is None or line == 1:
         raise LineLost
     return now
+
+
+def _named(text: str, lines: Lines) -> str:
+    """*text*, in which no place of these files stands (``src/go.cpp:7``)."""
+    if any(f"{path}:" in text for path in lines):
+        raise LineLost
+    return text
 
 
 def _sentence(text: Any) -> Any:
