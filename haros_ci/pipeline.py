@@ -115,10 +115,9 @@ def analyse(
         silence = silenced(workspace, settings, base, compared.runs, before_it)
         noticed = tuple(notices(workspace, past, silence))
     notes = (*settings.notes, *misfits, *idle_entries(runs, workspace, settings))
-    weighed_runs = weighed(compared.runs, compared.baseline, selection)
-    runs = tuple(described(run, selection) for run in weighed_runs)  # absent results bring rules of their own
     report = Report(
-        runs=runs,
+        # absent results bring rules of their own
+        runs=tuple(described(run, selection) for run in weighed(compared.runs, compared.baseline, selection)),
         notifications=(
             *(Notification(Level.NOTE, note, configuration=True) for note in notes),
             *changed,
