@@ -100,7 +100,8 @@ def _reaches_others(rule: RemapRule, system: System) -> bool:
     if not text.lstrip().startswith("<") or not 0 < line <= len(lines):
         return False
     opened = False
-    for tag in _NODE.finditer("\n".join(lines[: line - 1])):
+    before = (*lines[: line - 1], lines[line - 1][: (rule.location.column or 1) - 1])
+    for tag in _NODE.finditer("\n".join(before)):
         opened = not tag[1] and not tag[2]
     if opened:
         return False
