@@ -70,7 +70,8 @@ FILE_NOT_ANALYSED = Rule(
         "in the base revision or the file is new. So is code under a name that is not analysed as code, where analysed files use it: C++ includes it "
         '(`#include "table.inc"`), CMake makes code of it (property LANGUAGE, a template such as `part.hpp.in`), Python runs it '
         "(`exec(open(...))`), or it lies in a hidden or otherwise left out directory that they name; Cython (`.pyx`) always. So is a submodule that "
-        "is new and not checked out. Give it the name of its language, make the file readable, split it, or leave it out by 'exclude' in "
+        "is new and not checked out. So is a command of CMake, at its line, by which other files may be compiled or installed as code: a flag, a property, a variable or a "
+        "form of an argument that haros-ci does not know to be harmless. Give it the name of its language, make the file readable, split it, or leave it out by 'exclude' in "
         "the project file of the base revision. A comment in the file does not silence this."
     ),
     precision="very-high",
@@ -176,6 +177,13 @@ def unread_results(problems: Iterable[Problem]) -> tuple[Result, ...]:
     )
 
 
+def step_results(problems: Iterable[Problem]) -> tuple[Result, ...]:
+    """One result for each command of a build file that a change brings and that no reader follows, at its line."""
+    return tuple(
+        _unanalysed(problem.path, f"since this change {problem.message}", problem.line) for problem in problems
+    )
+
+
 def cut_results(problems: Iterable[Problem]) -> tuple[Result, ...]:
     """One result for each file that a change has made too large, or too deeply nested, to be analysed whole."""
     sentence = "since this change the checks of the architecture may miss what is wrong in this file"
@@ -188,9 +196,9 @@ def unreadable_results(reasons: Mapping[str, tuple[str, str]]) -> tuple[Result, 
     return tuple(_unanalysed(path, f"{tool} {sentence}: {reason}") for path, (tool, reason) in reasons.items())
 
 
-def _unanalysed(path: str, message: str) -> Result:
-    """A result on a file as a whole that a change keeps from being analysed."""
-    return Result(TOOL, FILE_NOT_ANALYSED.id, FILE_NOT_ANALYSED.level, message, Location(path))
+def _unanalysed(path: str, message: str, line: int | None = None) -> Result:
+    """A result on a file as a whole that a change keeps from being analysed, or on the *line* that may do so to others."""
+    return Result(TOOL, FILE_NOT_ANALYSED.id, FILE_NOT_ANALYSED.level, message, Location(path, line))
 
 
 def _kind(problem: Problem) -> str:
