@@ -68,7 +68,6 @@ from haros_ci.workspace.left_out import LeftOut
 from haros_ci.workspace.provenance import provenance
 
 Progress = Callable[[str], None]
-
 #: What is found out of a whole revision at once: what the checks say of its architecture, and what only all its code tells.
 ARCHITECTURE, STRUCTURE = "architecture", "structure"
 
