@@ -10,7 +10,8 @@ from pathlib import Path
 from typing import Any
 
 from haros_ci import PROJECT_URL, __version__
-from haros_ci.analysis.inspection import Architectures, inspected_or_kept, is_inspected
+from haros_ci.analysis.architectures import Architectures
+from haros_ci.analysis.inspection import inspected_or_kept, is_inspected
 from haros_ci.analysis.public_copies import quiet
 from haros_ci.baselines import at_base, compare, left_out, read_input, sarif_runs, settled
 from haros_ci.brought import Unreadable, before, notices, silenced, unreadable

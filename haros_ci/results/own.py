@@ -172,7 +172,7 @@ def manifest_results(faults: Iterable[Problem]) -> tuple[Result, ...]:
 def unread_results(problems: Iterable[Problem]) -> tuple[Result, ...]:
     """One result for each file that a change has made what it is and that is not analysed, on the file as a whole."""
     return tuple(
-        _unanalysed(problem.path, f"this file cannot be analysed since this change: {_why(problem)}")
+        _unanalysed(problem.path, f"this {_kind(problem)} cannot be analysed since this change: {_why(problem)}")
         for problem in problems
     )
 
@@ -199,6 +199,10 @@ def unreadable_results(reasons: Mapping[str, tuple[str, str]]) -> tuple[Result, 
 def _unanalysed(path: str, message: str, line: int | None = None) -> Result:
     """A result on a file as a whole that a change keeps from being analysed, or on the *line* that may do so to others."""
     return Result(TOOL, FILE_NOT_ANALYSED.id, FILE_NOT_ANALYSED.level, message, Location(path, line))
+
+
+def _kind(problem: Problem) -> str:
+    return "directory" if "a submodule" in problem.message else "file"
 
 
 def _why(problem: Problem) -> str:

@@ -233,7 +233,10 @@ class TrackedChange:
     def _new_submodules(self, scope: AnalysedPaths) -> Iterator[Problem]:
         """One for each submodule that was none: what it brings, perhaps in the place of files that were here, is not there to be analysed."""
         if self.is_known:
-            text = "skipped: a submodule that is not checked out; check it out (git submodule update --init)"
+            text = (
+                "skipped: a submodule that is not checked out; check it out (git submodule update --init), or add it to .gitmodules first "
+                "if that does not name it"
+            )
             yield from (Problem(path, text) for path in self._away(scope) if path not in self.base)
 
     def _away(self, scope: AnalysedPaths) -> list[str]:
