@@ -111,7 +111,10 @@ TYPES = "<export><build_type>catkin</build_type><build_type>ament_cmake</build_t
         ("<export><build_type>cmake</build_type></export>", None),
         ("<export><build_type>cmake</build_type></export><depend>rclcpp</depend>", 2),
         ("<depend>rclcpp</depend><depend>roscpp</depend>", None),
-        ("<buildtool_depend>ament_cmake</buildtool_depend><buildtool_depend>catkin</buildtool_depend><depend>rclcpp</depend>", None),
+        (
+            "<buildtool_depend>ament_cmake</buildtool_depend><buildtool_depend>catkin</buildtool_depend><depend>rclcpp</depend>",
+            None,
+        ),
         (f"{TYPES}<buildtool_depend>ament_cmake</buildtool_depend><depend>rclcpp</depend>", 2),
         (f"{TYPES}<buildtool_depend>catkin</buildtool_depend><depend>roscpp</depend>", 1),
         (TYPES, None),
