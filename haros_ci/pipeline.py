@@ -342,7 +342,7 @@ def own_run(workspace: Workspace, known: Registry) -> Run:
 
 
 def described(run: Run, selection: Selection) -> Run:
-    """The run with the rules that its results refer to."""
+    """The run with the rules that its results refer to, those that are absent included."""
     if run.imported:
         return run
     ids = sorted({result.rule for result in run.results})
