@@ -2,16 +2,16 @@
 """What loops have changed when they were followed before, so that the same need not be found out again.
 
 A turn that changes what was known before it has been followed in vain: the loop begins again without that. Where a loop is followed once more, in
-another call or after a rehearsal, what it changed then is not known from the first turn on. The turn has to change all of it, else the loop
-begins again with what it did change: so the result is the same, and a turn less is followed (decision 0036).
+another call or after a rehearsal, what it changed then is not known from the first turn on, where it holds what it held then. The turn has to
+change all of it, else the loop begins again with what it did change: so the result is the same, and a turn less is followed (decision 0036).
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from typing import TYPE_CHECKING
 
-from haros_ci.values.abstract import Mapped, Object, Opaque, Pointer, Sequence
+from haros_ci.values.abstract import Choice, Known, Library, Mapped, Object, Opaque, Pointer, Sequence, same
 from haros_ci.values.cells import Slot
 
 if TYPE_CHECKING:
@@ -23,28 +23,29 @@ if TYPE_CHECKING:
 NESTED = 3
 #: How the function of a loop comes to a cell: frames outward, a variable or ``this``, members of it.
 Place = tuple[int, tuple[str, ...]]
-#: By the identity of a loop's statement: the places that it has changed, each with whether that may be foreseen; it was wrong once if not.
-Foreseen = dict[int, dict[Place, bool]]
+#: By the identity of a loop's statement: the places that it has changed, each with what was there before; None where it was wrong to foresee that.
+Foreseen = dict[int, dict[Place, object]]
 
 
 def changes(walk: Walk, frame: Frame, statement: Loop | Each) -> dict[Slot, object]:
-    """The cells that a loop is going to change, as far as it did before, with what is known of them now."""
+    """The cells that a loop is going to change, as it did before where they held the same, with what is known of them now."""
     found = dict[Slot, object]()
-    for place, may_be in walk.foreseen.get(id(statement), {}).items():
-        cell = _cell(frame, place) if may_be else None
-        if cell is not None and not isinstance(cell.value, Opaque):
+    for place, before in walk.foreseen.get(id(statement), {}).items():
+        cell = _cell(frame, place) if before is not None else None
+        if cell is not None and _is_alike(cell.value, before):
             found[cell] = cell.value
     return found
 
 
-def note(walk: Walk, frame: Frame, statement: Loop | Each, cells: Iterable[Slot]) -> None:
-    """A loop has changed *cells*. What it does not come to by names is not foreseen: mostly that is gone with the callback."""
-    left = set(cells)
+def note(walk: Walk, frame: Frame, statement: Loop | Each, cells: Mapping[Slot, object]) -> None:
+    """A loop has changed *cells* that held these values. What it does not come to by names is not foreseen: mostly that is gone with the callback."""
+    left = dict(cells)
     known = walk.foreseen.setdefault(id(statement), {})
     for place, cell in _places(frame) if left else ():
         if cell in left:
-            known.setdefault(place, True)
-            left.remove(cell)
+            held = left.pop(cell)
+            if known.get(place, held) is not None:
+                known[place] = held
             if not left:
                 return
 
@@ -55,7 +56,27 @@ def missed(walk: Walk, frame: Frame, statement: Loop | Each, cells: Iterable[Slo
     known = walk.foreseen[id(statement)]
     for place in known:
         if _cell(frame, place) in wrong:
-            known[place] = False
+            known[place] = None
+
+
+def _is_alike(held: object, before: object) -> bool:
+    """Whether a value decides what another one did, as far as that is plain: a loop that asks for it may leave another one as it is.
+
+    A value from outside is looked at by none of this (``values.given``).
+    """
+    if held is before:
+        return not isinstance(held, Opaque)
+    if held.__class__ is not before.__class__ or isinstance(held, Opaque):
+        return False
+    if held.__class__ is Known:
+        return same(held.value, before.value)  # type: ignore[attr-defined]  # both are
+    if isinstance(held, Choice) and isinstance(before, Choice):
+        return len(held.options) == len(before.options) and all(map(_is_alike, held.options, before.options))
+    if isinstance(held, (Object, Library)) and isinstance(before, (Object, Library)):
+        return held.name == before.name
+    if isinstance(held, dict) and isinstance(before, dict):
+        return held.keys() == before.keys()
+    return isinstance(held, tuple) and isinstance(before, tuple) and len(held) == len(before)
 
 
 def _cell(frame: Frame, place: Place) -> Slot | None:

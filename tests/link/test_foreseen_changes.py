@@ -29,6 +29,9 @@ struct Flag {
   void chain(std::string s) { while (cond()) { make(s + last); if (next) next->last = "c"; } }
   void once(std::string s) { while (cond()) { if (!on) make(s + last); if (on) last = "d"; } }
 };
+void machine(std::string s, int state) { while (cond()) { switch (state) { case 0: state = 1; break; default: break; } make(s + std::to_string(state)); } }
+void lazy(std::string s, Flag* kept) { while (cond()) { if (kept == nullptr) kept = new Flag(); make(s + kept->last); } }
+void fill(std::string s, std::map<std::string, int> m) { while (cond()) { if (m.count("k") == 0) m["k"] = 1; make(s + std::to_string(m.size())); } }
 void outer(std::string s) { int n = 0; while (cond()) { grow(s, true); for (int i = 0; i < count(); ++i) make(s + std::to_string(n)); n = count(); } }
 """
 
@@ -48,6 +51,9 @@ SAME: Mapping[str, str] = {
     'Flag f; f.run("x", true); Flag g; g.once("y"); g.on = true; g.once("z");': "/x? /ya /z?",
     'Flag f; f.on = true; f.once("x"); Flag g; g.once("y");': "/x? /ya",
     'outer("x"); outer("y");': "/x? /y?",
+    'machine("x", 0); machine("y", 5);': "/x? /y5",
+    'Flag f; lazy("x", nullptr); lazy("y", &f);': "/x? /ya",
+    'std::map<std::string, int> m; fill("x", m); m["k"] = 1; fill("y", m);': "/x? /y1",
     'while (cond()) { grow("x", true); grow("y", false); }': "/x? /ya",
     'Flag f; auto t = nh.createTimer(ros::Duration(1), [&](const ros::TimerEvent&) { f.run("x", true); }); f.run("y", false);': "/x? /ya",
 }
