@@ -9,6 +9,7 @@ from functools import partial
 
 from haros_ci import syntax
 from haros_ci.follow import (
+    around,
     call_arguments,
     construct,
     conversions,
@@ -77,6 +78,8 @@ def invoke(
     """Follow a function of the workspace with these arguments."""
     walk.step()
     definition = function.function
+    if definition.decorators and (around_it := around.called(walk, frame, function, args)) is not None:
+        return around_it
     if definition.body is None:
         source, definition = methods.with_body(walk, [(function.source, definition)])
         function = Callable(source, definition, function.this, function.bound, function.frame, function.templates)
