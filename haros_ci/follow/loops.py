@@ -7,7 +7,7 @@ from collections.abc import Callable
 from functools import partial
 
 from haros_ci import syntax
-from haros_ci.follow import alternatives, beside, early, expressions, follow, statements, static_types, thrown
+from haros_ci.follow import alternatives, beside, copies, early, expressions, follow, statements, static_types, thrown
 from haros_ci.follow.frames import BOUND, BREAK, CONTINUE, NEXT, Frame, Loop
 from haros_ci.follow.made import forget_dead, go_back, keep
 from haros_ci.follow.walk import TURNS, Walk
@@ -288,6 +288,13 @@ def for_each(walk: Walk, frame: Frame, statement: syntax.Each) -> str:
                 frame.declare(name, value)
             else:
                 inner = value.value if isinstance(value, Cell) else value
+                if isinstance(inner, Object) and frame.source.separator == "::" and copies.changes(walk, statement):
+                    held = (
+                        resolved
+                        if resolved.name not in ("", "auto")
+                        else _element_type(walk, frame, iterable, resolved)
+                    )
+                    inner = copies.copied(walk, inner, held)
                 frame.declare(name, Cell(inner, resolved if resolved.name not in ("", "auto") else None))
             return statements.execute(walk, frame, body)
         finally:
