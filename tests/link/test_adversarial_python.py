@@ -50,3 +50,52 @@ def test_what_stands_behind_a_function_that_raises(call: str, raised: str, caugh
 )
 def test_what_comes_after_the_try(body: str) -> None:
     assert made(body) == ["/a"]
+
+
+GIVEN = "import threading\ndef f(x, y='d'):\n    PUB(x + y)\nclass C:\n    def m(self, x, y='e'):\n        PUB(x + y)\n"
+
+
+@pytest.mark.parametrize(
+    ("call", "expected"),
+    [
+        ("threading.Thread(target=f, args=('a',), kwargs={'y': 'k'}).start()", ["/ak"]),
+        ("threading.Thread(target=f, args=('a',)).start()", ["/ad"]),
+        ("threading.Thread(target=f, args=['a', 'b']).start()", ["/ab"]),
+        ("threading.Thread(None, f, 'name', ('a',)).start()", ["/ad"]),
+        ("threading.Thread(target=f, kwargs=dict(x='b', y='j')).start()", ["/bj"]),
+        ("threading.Timer(1.0, f, ['a']).start()", ["/ad"]),
+        ("threading.Timer(1.0, f, args=('a',), kwargs={'y': 'h'}).start()", ["/ah"]),
+        ("threading.Thread(target=C().m, args=('a',)).start()", ["/ae"]),
+        ("for n in ('a', 'b'):\n    threading.Thread(target=f, args=(n,)).start()", ["/ad", "/bd"]),
+        ("rospy.Subscriber('s', String, lambda m, a: PUB('cb_' + a), 'x')", ["/cb_x"]),
+        ("rospy.Subscriber('s', String, callback=lambda m, a: PUB('cb_' + a), callback_args='y')", ["/cb_y"]),
+        # what is not known, or not given
+        ("threading.Thread(target=f, args=x()).start()", ["/?"]),
+        ("threading.Thread(target=f, args=('a',), kwargs=x()).start()", ["/a?"]),
+        ("threading.Thread(target=f, args=(x(),)).start()", ["/?d"]),
+        ("threading.Thread(target=lambda: PUB('l')).start()", ["/l"]),
+        ("rospy.Subscriber('s', String, lambda m: PUB('cb'))", ["/cb"]),
+        ("rospy.Subscriber('s', String, lambda m: PUB('cb'), None, 1)", ["/cb"]),
+    ],
+)
+def test_arguments_that_are_given_for_later(call: str, expected: list[str]) -> None:
+    assert made(GIVEN + call) == expected
+
+
+@pytest.mark.parametrize(
+    ("body", "expected"),
+    [
+        ("d = {'a': 'x'}\ntry:\n    n = d['b']\n    PUB('a')\nexcept KeyError:\n    PUB('b')", ["/a!", "/b"]),
+        ("d = {}\ntry:\n    n = d[1]\n    PUB('a')\nexcept (KeyError, IndexError):\n    PUB('b')", ["/a!", "/b"]),
+        # what has the key, or may have it
+        ("d = {'a': 'x'}\ntry:\n    PUB(d['a'])\nexcept KeyError:\n    PUB('b')", ["/b", "/x"]),
+        ("d = {'a': 'x'}\nd['b'] = 'y'\ntry:\n    PUB(d['b'])\nexcept KeyError:\n    PUB('b')", ["/b", "/y"]),
+        ("d = {'a': 'x'}\nd[x()] = 'y'\ntry:\n    n = d['b']\n    PUB('a')\nexcept KeyError:\n    PUB('b')", ["/a", "/b"]),
+        ("d = {'a': 'x'}\nd.update(x())\ntry:\n    n = d['b']\n    PUB('a')\nexcept KeyError:\n    PUB('b')", ["/a", "/b"]),
+        ("from collections import defaultdict\nd = defaultdict(str)\ntry:\n    n = d['b']\n    PUB('a')\nexcept KeyError:\n    PUB('b')", ["/a", "/b"]),
+        ("d = {'a': 'x'}\ntry:\n    n = d.get('b')\n    PUB('a')\nexcept KeyError:\n    PUB('b')", ["/a", "/b"]),
+        ("d = {'a': 'x'}\ntry:\n    n = d['b']\n    PUB('a')\nexcept ValueError:\n    PUB('b')", ["/a", "/b"]),
+    ],
+)
+def test_a_dictionary_without_the_key(body: str, expected: list[str]) -> None:
+    assert made(body) == expected
