@@ -83,12 +83,18 @@ def register(
 
 
 def _carried(walk: Walk, function: Callable) -> tuple[object, ...]:
-    """The plain data that a callback which makes something takes along, bound to it or captured by value."""
+    """The plain data that a callback which makes something takes along, bound to it, captured by value, or given to the function that made it."""
     if not walk.relevance.makes(function.function, function.source):
         return ()
     bound: list[tuple[str, object]] = [(str(number), value) for number, value in enumerate(function.bound)]
     if isinstance(function.frame, Frame) and function.function.captures:
         bound += [(name, cell.value) for name, cell in function.frame.scopes[-1].items()]
+    if isinstance(function.frame, Frame) and function.source.separator == ".":
+        outer, scope = function.frame.function, function.frame.scopes[-1]
+        bound += [(name, cell.value) for name, cell in scope.items() if name.endswith("=")]
+        if outer is not None and outer.kind != "module":
+            cells = ((one.name, function.frame.find(one.name)) for one in outer.parameters)
+            bound += [(name, cell.value) for name, cell in cells if cell is not None]
     return tuple((name, value.kind, repr(value.value)) for name, value in bound if isinstance(value, Known))
 
 

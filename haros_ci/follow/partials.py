@@ -83,7 +83,9 @@ def _keywords(value: Value | None) -> tuple[PassedArgument, ...]:
         return ()
     pairs = value.content.value if isinstance(value, Mapped) else None
     if isinstance(pairs, dict) and all(isinstance(key, str) for key in pairs):
-        return tuple(call_arguments.PassedArgument(cell.value, None, cell.type, key) for key, cell in pairs.items())
+        return tuple(
+            call_arguments.PassedArgument(cell.value, None, cell.type, str(key)) for key, cell in pairs.items()
+        )
     if isinstance(value, Known) and isinstance(value.value, dict):
         return tuple(call_arguments.PassedArgument(Known(item), keyword=str(key)) for key, item in value.value.items())
     return (call_arguments.PassedArgument(Opaque(call_arguments.UNPACKED), keyword="**"),)

@@ -272,7 +272,9 @@ def _continue(walk: Walk, frame: Frame, statement: syntax.Continue) -> str:
 
 def _define(walk: Walk, frame: Frame, statement: syntax.NestedFunction) -> str:
     function = frame.source.program.functions[statement.function]
-    made = abstract.Callable(frame.source, function, frame.this, frame=expressions.kept(frame))
+    python = frame.source.separator == "."
+    around = expressions.with_defaults(walk, frame, function) if python else expressions.kept(frame)
+    made = abstract.Callable(frame.source, function, frame.this, frame=around)
     frame.declare(statement.name, Cell(made))
     return NEXT
 

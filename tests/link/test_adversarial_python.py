@@ -90,12 +90,58 @@ def test_arguments_that_are_given_for_later(call: str, expected: list[str]) -> N
         # what has the key, or may have it
         ("d = {'a': 'x'}\ntry:\n    PUB(d['a'])\nexcept KeyError:\n    PUB('b')", ["/b", "/x"]),
         ("d = {'a': 'x'}\nd['b'] = 'y'\ntry:\n    PUB(d['b'])\nexcept KeyError:\n    PUB('b')", ["/b", "/y"]),
-        ("d = {'a': 'x'}\nd[x()] = 'y'\ntry:\n    n = d['b']\n    PUB('a')\nexcept KeyError:\n    PUB('b')", ["/a", "/b"]),
-        ("d = {'a': 'x'}\nd.update(x())\ntry:\n    n = d['b']\n    PUB('a')\nexcept KeyError:\n    PUB('b')", ["/a", "/b"]),
-        ("from collections import defaultdict\nd = defaultdict(str)\ntry:\n    n = d['b']\n    PUB('a')\nexcept KeyError:\n    PUB('b')", ["/a", "/b"]),
+        (
+            "d = {'a': 'x'}\nd[x()] = 'y'\ntry:\n    n = d['b']\n    PUB('a')\nexcept KeyError:\n    PUB('b')",
+            ["/a", "/b"],
+        ),
+        (
+            "d = {'a': 'x'}\nd.update(x())\ntry:\n    n = d['b']\n    PUB('a')\nexcept KeyError:\n    PUB('b')",
+            ["/a", "/b"],
+        ),
+        (
+            "from collections import defaultdict\nd = defaultdict(str)\ntry:\n    n = d['b']\n    PUB('a')\nexcept KeyError:\n    PUB('b')",
+            ["/a", "/b"],
+        ),
         ("d = {'a': 'x'}\ntry:\n    n = d.get('b')\n    PUB('a')\nexcept KeyError:\n    PUB('b')", ["/a", "/b"]),
         ("d = {'a': 'x'}\ntry:\n    n = d['b']\n    PUB('a')\nexcept ValueError:\n    PUB('b')", ["/a", "/b"]),
     ],
 )
 def test_a_dictionary_without_the_key(body: str, expected: list[str]) -> None:
+    assert made(body) == expected
+
+
+MAKE = "def make(n):\n    def cb(m):\n        PUB('t_' + n)\n    return cb\n"
+SUB = "rospy.Subscriber('s', String, %s)"
+
+
+@pytest.mark.parametrize(
+    ("body", "expected"),
+    [
+        ("for n in ('a', 'b'):\n    " + SUB % "lambda m, n=n: PUB('t_' + n)", ["/t_a", "/t_b"]),
+        ("for i in range(2):\n    " + SUB % "lambda m, k=i + 1: PUB('t_%d' % k)", ["/t_1", "/t_2"]),
+        (
+            "def go():\n    for n in ('a', 'b'):\n        def cb(m, k=n):\n            PUB('t_' + k)\n        "
+            + SUB % "cb"
+            + "\ngo()",
+            ["/t_a", "/t_b"],
+        ),
+        (MAKE + "for n in ('a', 'b'):\n    " + SUB % "make(n)", ["/t_a", "/t_b"]),
+        (MAKE + SUB % "make('a')" + "\n" + SUB % "make('b')", ["/t_a", "/t_b"]),
+        ("fs = []\nfor n in ('a', 'b'):\n    fs.append(lambda k=n: PUB(k))\nfor f in fs:\n    f()", ["/a", "/b"]),
+        ("class C:\n    T = 'c'\n    def go(self, t=T):\n        PUB(t)\nC().go()\nC().go('d')", ["/c", "/d"]),
+        ("T = 'm'\nclass C:\n    T = 'c'\n    def go(self, t=T):\n        PUB(t)\nC().go()", ["/c"]),
+        # what is as it was
+        ("f = lambda n='a', q=1: PUB(n)\nf()\nf('b')", ["/a", "/b"]),
+        (
+            "def go(n):\n    def pub(t, k='d'):\n        PUB(n + t + k)\n    pub('x')\n    pub('y', 'z')\ngo('a')",
+            ["/axd", "/ayz"],
+        ),
+        (MAKE + SUB % "make('a')" + "\n" + SUB % "make('a')", ["/t_a"]),
+        (MAKE + SUB % "make(x())", ["/t_?"]),
+        ("n = 'a'\n" + SUB % "lambda m: PUB(n)", ["/a"]),
+        ("T = 'm'\nclass C:\n    def go(self, t=T):\n        PUB(t)\nC().go()", ["/m"]),
+        ("def go():\n    n = 'a'\n    f = lambda: PUB(n)\n    n = 'b'\n    f()\ngo()", ["/b"]),
+    ],
+)
+def test_what_a_function_takes_along(body: str, expected: list[str]) -> None:
     assert made(body) == expected
