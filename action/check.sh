@@ -11,8 +11,9 @@ fail() { # MESSAGE [CODE]
   exit "${2:-2}"
 }
 
-[[ "$INPUT_WORKING_DIRECTORY" != *$'\n'* ]] && CDPATH='' cd -- "${INPUT_WORKING_DIRECTORY:-.}" ||
+if [[ "$INPUT_WORKING_DIRECTORY" == *$'\n'* ]] || ! CDPATH='' cd -- "${INPUT_WORKING_DIRECTORY:-.}"; then
   fail "The input 'working-directory' is no directory."
+fi
 
 arguments=()
 

@@ -63,6 +63,8 @@ def _finding(group: list[_Used]) -> Finding:
         hint = f"; it has the {meant.word} {meant.original_name}{written}"
         if (meant.raw.written or "").startswith("/"):
             hint += ", a global name that relative rules do not match"
+    else:
+        hint = "; correct the name, or remove the remapping"
     return Finding(
         at=rule.location,
         message=(

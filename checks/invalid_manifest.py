@@ -93,7 +93,7 @@ def _required(package: ProjectPackage, root: Element) -> Iterator[Finding]:
                 package, element, f"maintainer {word(element)} has no email attribute; add it", f"email {word(element)}"
             )
         elif email is not None and EMAIL.fullmatch(email) is None:
-            yield _finding(package, element, f"{email!r} is not an email address", f"email {word(element)}")
+            yield _finding(package, element, f"{email!r} is not an email address; write one", f"email {word(element)}")
 
 
 def _tags(package: ProjectPackage, root: Element) -> Iterator[Finding]:

@@ -21,6 +21,7 @@ _ARGUMENT = re.compile(r"\$\((?:arg|var)[ \t]+[\w-]+[ \t]*\)")
 _VALUES = 3
 #: So many places of one finding are shown.
 _SHOWN = 10
+_UNKNOWN = "; correct the path, or add the file"
 _WHAT = {
     "include": "the launch file includes",
     "parameters": "the launch file loads parameters from",
@@ -140,7 +141,7 @@ def _what(use: FileUse) -> str:
 def _finding(use: FileUse, made: str) -> Finding:
     return Finding(
         at=use.location,
-        message=f"{_what(use)} {use.inner} of {use.package}, but this file does not exist{made or meant(use.similar)}",
+        message=f"{_what(use)} {use.inner} of {use.package}, but this file does not exist{made or meant(use.similar) or _UNKNOWN}",
         about=(f"{use.package}/{use.inner}",),
         flow=included_by(use),
         apart=(use.text,),

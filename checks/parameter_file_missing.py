@@ -23,7 +23,7 @@ def check(system: System) -> Iterator[Finding]:
             else f"launch prints a warning and starts {use.node or program} without these parameters"
         )
         meant = next(iter(similar.get(use.location, ())), None)
-        hint = f"; did you mean {meant}?" if meant else ""
+        hint = f"; did you mean {meant}?" if meant else "; correct the path, or add the file"
         is_made = system.workspace is not None and use.path is not None and is_ignored(system.workspace, use.path)
         if is_made:
             hint = "; .gitignore names it, so that it may be made elsewhere"

@@ -143,7 +143,7 @@ def _outside(entry_point: EntryPoint, package: ProjectPackage) -> str:
     inner = entry_point.module.partition(".")[2].replace(".", "/")
     path = package.inside(f"{inner}.py")
     if not inner or not package.project.exists(path):
-        return ""
+        return "; add it, or remove the entry point"
     place = f"{entry_point.module.replace('.', '/')}.py"
     return f": {inner}.py is not in the Python package; move it to {place}"
 
@@ -174,7 +174,7 @@ def _missing_name(entry_point: EntryPoint, package: ProjectPackage) -> Finding |
     if re.search(rf"^[ \t]*{name}[ \t]*(?:,[ \t]*)?(?:#.*)?$", text, re.M):
         return None  # perhaps a line of an import in parentheses
     alike = sorted(other for other in own if is_slip(other, name))
-    meant = f"; write {alike[0]}" if alike else ""
+    meant = f"; write {alike[0]}" if alike else "; add it, or correct the entry point"
     return Finding(
         at=entry_point.location,
         message=f"program {entry_point.name} of package {package.name} cannot start: {entry_point.path} has no function "

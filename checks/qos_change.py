@@ -31,12 +31,18 @@ def _narrowed(project: Project, change: Change) -> Iterator[Finding]:
             yield Finding(
                 at=new.location,
                 message=(
-                    f"the {new.word} of {new.name} in {new.node} is now {qos_in_words(new.qos)}, before it was "
+                    f"{_end(new)} is now {qos_in_words(new.qos)}, before it was "
                     f"{qos_in_words(old.qos)}: {WORDS[new.kind]}"
                 ),
                 about=(new.name, new.kind, new.node.type, *policies),
             )
             return
+
+
+def _end(end: End) -> str:
+    if "?" in end.name:
+        return f"a {end.word} in {end.node}, whose name is not known,"
+    return f"the {end.word} of {end.name} in {end.node}"
 
 
 def _is_narrower(policy: str, end: End, old: Qos | None, new: Qos | None) -> bool:

@@ -126,7 +126,7 @@ def _finding(package: ProjectPackage, use: _FileUse) -> Iterator[Finding]:
         own = sorted(name[len(prefix) :] for name in project.workspace.names if name.startswith(prefix))[:2000]
         near = similar_files(use.inner, own, package.name)
         message = f"but {package.name} does not have this file: opening it fails" + (
-            f"; did you mean {near[0]!r}?" if near else ""
+            f"; did you mean {near[0]!r}?" if near else "; correct the path, or add the file"
         )
     yield Finding(
         at=use.at,

@@ -25,7 +25,7 @@ from haros_ci.api.packages import (
 
 _HEADERS = (".h", ".hh", ".hpp", ".hxx", ".h++", ".ipp", ".tpp", ".inl")
 #: How the reason ends where nothing is seen to need the library.
-_ALONE = "nothing can load it"
+_ALONE = "nothing can load it; add it to install(TARGETS ...)"
 #: How it ends where a class loader needs it.
 _BY_CLASS = "is loaded from it"
 _NODELET = "nodelet::Nodelet"

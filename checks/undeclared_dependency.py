@@ -85,8 +85,9 @@ def check(project: Project) -> Iterator[Finding]:
                 proposed[package.name] = proposed.get(package.name, frozenset()) | {name}
                 others = [undeclared[group] for group, by in brought.items() if by == providers]
                 yield _finding(package, providers, uses, others, provisions)
-        if provided is not None and not provided.is_open and not _has_environment(package, provisions):
-            yield from _environment(package)
+        deciding = [] if provided is None or provided.is_open else list(_environment(package))
+        if deciding and not _has_environment(package, provisions):
+            yield from deciding
 
 
 def _is_reported_elsewhere(package: ProjectPackage, providers: frozenset[str]) -> bool:

@@ -265,7 +265,9 @@ def _hint(package: ProjectPackage, command: CMakeCommand, name: str) -> str:
     if _is_library(command, name) and not names and package.cmake.targets:
         where = "LIBRARIES" if command.name == "catkin_package" else f"{command.name}()"
         return f"; {where} takes libraries, and the package builds none: remove the name"
-    return f"; did you mean {near}?" if near else "" if command.name == "ament_export_dependencies" else _instead(names)
+    if near:
+        return f"; did you mean {near}?"
+    return "; correct the name, or remove it" if command.name == "ament_export_dependencies" else _instead(names)
 
 
 def _hint_of_several(package: ProjectPackage, command: CMakeCommand, wrong: tuple[str, ...]) -> str:

@@ -39,6 +39,8 @@ def _found(project: Project) -> Iterator[Finding]:
 def _value(wrong_value: WrongValue) -> str:
     if wrong_value.kind == "Time":
         return "the Time of rclpy"
+    if wrong_value.kind == "list" and wrong_value.type.startswith("float") and "[" in wrong_value.type:
+        return "a list that has an int in it"
     return (
         f"{wrong_value.value}, {_KINDS[wrong_value.kind]}"
         if wrong_value.value and wrong_value.kind != "none"
@@ -58,7 +60,7 @@ def _instead(wrong_value: WrongValue) -> str:
     if wrong_value.type in ("float32", "float64") and wrong_value.kind == "int":
         return f"; write {wrong_value.value}.0" if wrong_value.value else "; put float() around it"
     if wrong_value.kind == "list":
-        return "; write floats" if wrong_value.type.startswith("float") else ""
+        return "; write floats (0.0 for 0)" if wrong_value.type.startswith("float") else ""
     if wrong_value.type == "bool" and wrong_value.value in ("0", "1"):
         return f"; write {wrong_value.value == '1'}"
     if wrong_value.type == "string" and wrong_value.kind in ("int", "float", "bool"):

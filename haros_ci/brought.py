@@ -120,8 +120,11 @@ def unreadable(
     """The *runs* without what linters cannot analyse since *base*, and a result for each file of that, and for each that is used as code since then."""
     if base is None:
         return runs, ()
+    from haros_ci.workspace.build_changes import brought_steps
+
     left, lost = _unreadable(workspace, base, runs, past)
-    return left, (*own.unread_results(_used_first(workspace, base)), *lost)
+    steps = own.step_results(brought_steps(workspace, base.workspace)[0])
+    return left, (*own.unread_results(_used_first(workspace, base)), *steps, *lost)
 
 
 def _used_first(workspace: Workspace, base: Base) -> Iterator[Problem]:
@@ -130,8 +133,11 @@ def _used_first(workspace: Workspace, base: Base) -> Iterator[Problem]:
         return
     from haros_ci.workspace.used_code import UsedCode
 
-    before = UsedCode(base.workspace, workspace.text)
-    yield from (problem for problem in workspace.hiding.used if not before.why(problem.path))
+    now = {origin: use.problem.path for use in workspace.hiding.used for origin in use.origins}
+    before = UsedCode(base.workspace, lambda path: workspace.text(now.get(path, path)))
+    for use in workspace.hiding.used:
+        if not any(before.is_used(origin, use.directory) for origin in use.origins):
+            yield use.problem
 
 
 def _unreadable(
@@ -213,8 +219,13 @@ def _differs(file: SourceFile, old: SourceFile | None) -> bool:
     return file.language in ("cpp", "python") and (old is None or old.digest != file.digest)
 
 
-def notices(workspace: Workspace, silence: Silenced) -> Iterator[Notification]:
+def notices(workspace: Workspace, base: Base | None, silence: Silenced) -> Iterator[Notification]:
     """What there is to note of all this beside the findings."""
+    if base is not None:
+        from haros_ci.workspace.build_changes import brought_steps
+
+        for problem in brought_steps(workspace, base.workspace)[1]:
+            yield Notification(Level.NOTE, f"since this change {problem.message}", path=problem.path, line=problem.line)
     for problem in workspace.hiding.warnings:
         yield Notification(Level.WARNING, problem.message, path=problem.path)
     for problem in workspace.hiding.notes:

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from haros_ci import PROJECT_URL
-from haros_ci.analysis.inspection import Architectures
+from haros_ci.analysis.architectures import Architectures
 from haros_ci.config.selection import Selection
 from haros_ci.config.settings import Settings
 from haros_ci.model.location import Location

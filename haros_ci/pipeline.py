@@ -10,7 +10,8 @@ from pathlib import Path
 from typing import Any
 
 from haros_ci import PROJECT_URL, __version__
-from haros_ci.analysis.inspection import Architectures, inspected_or_kept, is_inspected
+from haros_ci.analysis.architectures import Architectures
+from haros_ci.analysis.inspection import inspected_or_kept, is_inspected
 from haros_ci.analysis.public_copies import quiet
 from haros_ci.baselines import at_base, compare, left_out, read_input, sarif_runs, settled
 from haros_ci.brought import Unreadable, before, notices, silenced, unreadable
@@ -112,6 +113,7 @@ def analyse(
         runs = tuple(described(run, selection) for run in (*runs, *imported(settings, workspace, selection)))
         compared = compare(runs, workspace, settings, base, examine=before_it)
         silence = silenced(workspace, settings, base, compared.runs, before_it)
+        noticed = tuple(notices(workspace, past, silence))
     notes = (*settings.notes, *misfits, *idle_entries(runs, workspace, settings))
     weighed_runs = weighed(compared.runs, compared.baseline, selection)
     runs = tuple(described(run, selection) for run in weighed_runs)  # absent results bring rules of their own
@@ -122,7 +124,7 @@ def analyse(
             *changed,
             *compared.notifications,
             *(Notification(Level.WARNING, p.message, path=p.path, line=p.line) for p in workspace.problems),
-            *notices(workspace, silence),
+            *noticed,
         ),
         baseline=compared.baseline,
         coverage=coverage(workspace, confinement(runs, settings, head), left.unused.found, left.copies.found),

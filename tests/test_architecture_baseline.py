@@ -11,6 +11,8 @@ import pytest
 from commandline import commit, haros, write
 from mutations import LAUNCH_XML, LISTENER_CPP, ROS2, TALKER_CPP, system
 
+from haros_ci import cli
+
 RULE = "topic-type-mismatch"
 
 
@@ -127,3 +129,31 @@ def test_a_pull_request_is_told_of_what_it_breaks(tmp_path: Path) -> None:
     assert {name for name, state in states.items() if state == "new"} == {"/b /first /second"}
     assert {name for name, state in states.items() if state == "updated"} == {"/first /second /target"}
     assert len(states) == 2
+
+
+PART = "cmake_minimum_required(VERSION 3.8)\nproject({})\nfind_package(ament_cmake REQUIRED)\ninstall(DIRECTORY missing DESTINATION share)\nament_package()\n"
+MANIFEST = (
+    '<package format="3"><name>{}</name><version>0.1.0</version><description>d</description><maintainer email="a@b.org">A</maintainer>'
+    "<license>MIT</license><buildtool_depend>ament_cmake</buildtool_depend><export><build_type>ament_cmake</build_type></export></package>\n"
+)
+
+
+@pytest.mark.parametrize(
+    ("names", "said"),
+    [
+        (("arm",), "1 finding is known now."),
+        (("arm", "leg"), "2 findings are known now, check shows 1 of them together"),
+    ],
+)
+def test_as_many_are_known_as_check_shows_or_it_says_why(
+    names: tuple[str, ...],
+    said: str,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capfd: pytest.CaptureFixture[str],
+) -> None:
+    write(tmp_path, {f"{name}/package.xml": MANIFEST.format(name) for name in names})
+    write(tmp_path, {f"{name}/CMakeLists.txt": PART.format(name) for name in names})
+    monkeypatch.chdir(tmp_path)
+    assert cli.main(["baseline", "create", "--profile=architecture", "--no-cache"]) == 0
+    assert said in capfd.readouterr().out

@@ -135,7 +135,16 @@ def test_what_is_composed_knows_its_lines_and_keys_that_stand_twice() -> None:
     [
         ("x" * 2_001, 1, "more than 2000 characters; split it"),
         ("a:\n  [[[[1]]]]", 2, "nested deeper than 5 levels; flatten it"),
-        ("a: b\n" + "- 1\n" * 3, 2, "not valid YAML: did not find expected key; correct it"),
+        (
+            "a: b\n" + "- 1\n" * 3,
+            2,
+            "not valid YAML: did not find expected key (the line is indented otherwise than those above it); correct it",
+        ),
+        (
+            "a:\n\t- b",
+            2,
+            "not valid YAML: found character that cannot start any token (a tab stands in the indentation, or",
+        ),
         ("- 1\n" * 120, 100, "more than 100 values, aliases counted; split it"),
         ("- &a [1, 2, 3, 4, 5, 6, 7, 8, 9]\n- &b [*a, *a, *a]\n- [*b, *b, *b]", 3, "more than 100 values"),
         ("- &x 1\n" + "- *x\n" * 11, 12, "more than 10 aliases; write the values out"),

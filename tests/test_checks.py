@@ -6,10 +6,11 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from every import every
 
 from haros_ci.api.testing import faults, faults_of_page
 from haros_ci.checking.check import Check
-from haros_ci.checking.page import SECTIONS, Example, Page, read_page
+from haros_ci.checking.page import SECTIONS, Page, read_page
 from haros_ci.commands.new_check import new_check
 from haros_ci.errors import UserError
 from haros_ci.registry import check_rules, checks, page_of
@@ -17,19 +18,19 @@ from haros_ci.report.check_table import render
 
 ROOT = Path(__file__).resolve().parent.parent
 PAGES: dict[str, Page] = {check.id: read_page(page_of(check)) for check in checks()}
-EXAMPLES = [
-    pytest.param(check, example, id=f"{check.id}-{'bad' if example.is_bad else 'good'}-{number}")
-    for check in checks()
-    for number, example in enumerate(PAGES[check.id].examples, 1)
-]
-
-
-@pytest.mark.parametrize(("check", "example"), EXAMPLES)
-def test_a_page_is_true(check: Check, example: Example, tmp_path: Path) -> None:
-    assert not faults(check, example, tmp_path)
 
 
 @pytest.mark.parametrize("check", checks(), ids=lambda check: check.id)
+def test_a_page_is_true(check: Check, tmp_path: Path) -> None:
+    wrong = {
+        f"example {number}, {'bad' if example.is_bad else 'good'}": found
+        for number, example in enumerate(PAGES[check.id].examples, 1)
+        if (found := faults(check, example, tmp_path / str(number)))
+    }
+    assert not wrong
+
+
+@every("check", checks(), ids=lambda check: check.id)
 def test_a_page_is_whole(check: Check) -> None:
     assert not faults_of_page(check, page_of(check))
 
@@ -64,6 +65,6 @@ def test_a_new_check_fails_until_it_is_written(tmp_path: Path) -> None:
         new_check("other-topic", tmp_path / "checks")
 
 
-@pytest.mark.parametrize("check", checks(), ids=lambda check: check.id)
+@every("check", checks(), ids=lambda check: check.id)
 def test_a_check_looks_at_one_thing(check: Check) -> None:
     assert (check.run is None) != (check.project is None)

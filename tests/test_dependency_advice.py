@@ -123,7 +123,7 @@ def test_a_name_that_only_distributions_long_gone_have_is_not_proposed(ros: str,
         ("HouseOfGears", "; write HouseOfGears, as find_package() has it here"),
         ("HOUSE-OF_GEARS", "; write HOUSE-OF_GEARS, as find_package() has it here"),
         ("house_of_gear", "; did you mean house_of_gear?"),
-        ("Eigen3", "packages that use it stop there"),
+        ("Eigen3", "packages that use it stop there; correct the name, or remove it"),
     ],
 )
 def test_an_exported_package_that_cmake_calls_otherwise(found: str, hint: str, tmp_path: Path) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from haros_ci.analysis.inspection import project_of
+from haros_ci.analysis.architectures import project_of
 from haros_ci.api.testing import read
 from haros_ci.checking.page import filled
 from haros_ci.checking.run import run_on_project

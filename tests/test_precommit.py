@@ -85,6 +85,7 @@ def checkout(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Callable[...,
         "GIT_CONFIG_SYSTEM": os.devnull,
         "PRE_COMMIT_HOME": str(home / "environments"),
         "XDG_CACHE_HOME": str(home / "cache"),
+        "PIP_COMPILE": "0",  # most of the modules are never imported
     }
     hook = Checkout(installing.copy_of_the_checkout(home / "haros-ci"), environment)
     hook.run("git", "init", "--quiet", "--initial-branch=main")

@@ -89,6 +89,24 @@ def test_a_job_has_the_least_permissions(path: Path) -> None:
                 assert step["with"]["persist-credentials"] is False, path.name
 
 
+def test_a_tag_publishes_files_image_and_the_major_tag() -> None:
+    release = yaml.safe_load((ROOT / ".github/workflows/release.yml").read_text(encoding="utf-8"))
+    jobs = release["jobs"]
+    assert jobs["index"]["permissions"] == {"id-token": "write"}, "trusted publishing stores no token"
+    for name in ("index", "image", "release"):
+        assert jobs[name]["environment"] == "release", "a person approves"
+    attested = {
+        name
+        for name, job in jobs.items()
+        for step in job["steps"]
+        if step.get("uses", "").startswith("actions/attest-build-provenance@")
+    }
+    assert attested == {"build", "image"}
+    scripts = {name: "\n".join(step.get("run", "") for step in job["steps"]) for name, job in jobs.items()}
+    assert "docker push" in scripts["image"] and "refs/tags/$major" in scripts["release"]
+    assert not any("${{" in script for script in scripts.values()), "no expression reaches a shell"
+
+
 def test_what_is_tested_is_what_is_declared() -> None:
     workflow = yaml.safe_load((ROOT / ".github/workflows/ci.yml").read_text(encoding="utf-8"))
     tested = workflow["jobs"]["test"]["strategy"]["matrix"]

@@ -7,7 +7,7 @@ import ast
 import re
 from pathlib import Path
 
-import pytest
+from every import every
 
 ROOT = Path(__file__).resolve().parent.parent
 PACKAGE = ROOT / "haros_ci"
@@ -305,7 +305,7 @@ def modules() -> list[Path]:
     return sorted(PACKAGE.rglob("*.py"))
 
 
-@pytest.mark.parametrize("path", modules(), ids=lambda p: p.relative_to(ROOT).as_posix())
+@every("path", modules(), ids=lambda path: path.relative_to(ROOT).as_posix())
 def test_doors_are_one_way(path: Path) -> None:
     here = room(path)
     names = imports(ast.parse(path.read_text(encoding="utf-8")))
@@ -336,13 +336,13 @@ def test_the_table_can_fail() -> None:
     assert door_breaks("results", {"haros_ci.model.location"}) == set()
 
 
-@pytest.mark.parametrize("path", sorted((ROOT / "checks").glob("*.py")), ids=lambda p: p.name)
+@every("path", sorted((ROOT / "checks").glob("*.py")), ids=lambda path: path.name)
 def test_checks_see_only_the_api(path: Path) -> None:
     ours = {n for n in imports(ast.parse(path.read_text(encoding="utf-8"))) if n.split(".")[0] == "haros_ci"}
     assert all(n == "haros_ci.api" or n.startswith("haros_ci.api.") for n in ours)
 
 
-@pytest.mark.parametrize("path", modules(), ids=lambda p: p.relative_to(ROOT).as_posix())
+@every("path", modules(), ids=lambda path: path.relative_to(ROOT).as_posix())
 def test_every_file_carries_its_licence(path: Path) -> None:
     assert path.read_text(encoding="utf-8").startswith("# SPDX-License-Identifier: Apache-2.0\n")
 

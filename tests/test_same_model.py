@@ -13,11 +13,9 @@ from mutations import LAUNCH_XML, LISTENER_CPP, ROS2
 
 from haros_ci import pipeline
 from haros_ci.analysis import same_model
-from haros_ci.analysis.architecture import programs
-from haros_ci.analysis.same_model import has_same_model
+from haros_ci.analysis.same_model import moved_lines
 from haros_ci.config.settings import Settings
 from haros_ci.workspace.base import base_workspace
-from haros_ci.workspace.build import builds
 from haros_ci.workspace.cache import MemoryCache
 from haros_ci.workspace.discover import discover
 
@@ -70,7 +68,7 @@ def root(tmp_path: Path) -> Path:
 def is_same(root: Path) -> bool:
     store, workspace = MemoryCache(), discover(root, (".",))
     with base_workspace(workspace, "HEAD") as base:
-        return has_same_model(base, workspace, programs(workspace, builds(workspace), store, []), store)
+        return moved_lines(base, workspace, store) is not None
 
 
 @pytest.mark.parametrize("edit", ONLY_PLACES.values(), ids=ONLY_PLACES)
@@ -94,8 +92,8 @@ def test_the_report_is_that_of_a_run_that_makes_both(
 ) -> None:
     settings = Settings(root=write(root, edit), profile="architecture", baseline_rev="HEAD")
     found = pipeline.analyse(settings, MemoryCache())[0]
-    makes_both: Callable[..., bool] = lambda *arguments: False  # noqa: E731
-    monkeypatch.setattr(same_model, "has_same_model", makes_both)
+    makes_both: Callable[..., None] = lambda *arguments: None  # noqa: E731
+    monkeypatch.setattr(same_model, "moved_lines", makes_both)
     both = pipeline.analyse(settings, MemoryCache())[0]
     assert replace(found, runs=()) == replace(both, runs=())
     assert found.runs == both.runs

@@ -207,3 +207,35 @@ def test_programs_of_ros_1_that_start(command: str, tmp_path: Path) -> None:
         "scripts/talker.py": text,
     }
     assert findings(tmp_path, files, ("scripts/talker.py",)) == []
+
+
+DRONE = "#!/usr/bin/env python\nimport rospy\n\nrospy.loginfo('read')\n\n\nclass Drone:\n    pass\n{}"
+FLY = "#!/usr/bin/env python3\n{}\n\nif __name__ == '__main__':\n    Drone()\n"
+MAIN = "\n\nif __name__ == '__main__':\n    Drone()\n"
+START = '<launch><node pkg="demo" type="drone.py" name="drone"/></launch>\n'
+
+
+@pytest.mark.parametrize(
+    ("drone", "fly", "more", "count"),
+    [
+        (DRONE.format(""), FLY.format("import drone"), {}, 0),
+        (DRONE.format(""), FLY.format("from drone import Drone"), {}, 0),
+        (DRONE.format(""), FLY.format("import rospy, drone"), {}, 0),
+        (DRONE.format(""), FLY.format("from drone import Drone"), {"README.md": "It is in drone.py.\n"}, 0),
+        (DRONE.format(""), FLY.format("from drones import Drone"), {}, 1),
+        (DRONE.format(MAIN), FLY.format("from drone import Drone"), {}, 1),
+        (DRONE.format(""), FLY.format("from drone import Drone"), {"launch/a.launch": START}, 1),
+        (DRONE.format(""), FLY.format("from drone import Drone"), {"README.md": "rosrun demo drone.py\n"}, 1),
+    ],
+)
+def test_a_module_with_a_shebang_that_scripts_beside_it_import(
+    drone: str, fly: str, more: dict[str, str], count: int, tmp_path: Path
+) -> None:
+    files = {
+        "package.xml": ROS1,
+        "CMakeLists.txt": CATKIN.format(f"install(PROGRAMS scripts/drone.py scripts/fly.py {PLACE})"),
+        "scripts/drone.py": drone,
+        "scripts/fly.py": fly,
+        **more,
+    }
+    assert len(findings(tmp_path, files, ("scripts/fly.py",))) == count

@@ -14,6 +14,7 @@ import threading
 from pathlib import Path
 
 import pytest
+from every import every
 
 from haros_ci.errors import RunFailure, UserError
 from haros_ci.interruption import Interrupted
@@ -247,7 +248,7 @@ def writes(tree: ast.AST) -> set[int]:
     return found
 
 
-@pytest.mark.parametrize("path", sorted(PACKAGE.rglob("*.py")), ids=lambda p: p.relative_to(PACKAGE).as_posix())
+@every("path", sorted(PACKAGE.rglob("*.py")), ids=lambda path: path.relative_to(PACKAGE).as_posix())
 def test_nobody_else_writes_files(path: Path) -> None:
     name = path.relative_to(PACKAGE).as_posix()
     if not any(name == allowed or (allowed.endswith("/") and name.startswith(allowed)) for allowed in ALLOWED):

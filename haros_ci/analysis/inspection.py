@@ -3,35 +3,28 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable
 from dataclasses import replace
 from functools import partial
-from pathlib import Path
 from typing import TYPE_CHECKING
 
-from haros_ci.config.digests import settings_digests
+from haros_ci.analysis.architectures import Architectures, options_of, project_of
 from haros_ci.config.selection import Selection
 from haros_ci.config.settings import Settings
 from haros_ci.forks import shared
-from haros_ci.model.access import AccessRule
 from haros_ci.model.architecture import Architecture
-from haros_ci.model.element import Element
-from haros_ci.model.workspace import Problem, Store, Workspace
-from haros_ci.registry import Registry, registry
+from haros_ci.model.workspace import Problem, Workspace
+from haros_ci.registry import Registry
 from haros_ci.results import own
 from haros_ci.results.result import Notification, Run
 from haros_ci.results.rule import Level, Rule
 from haros_ci.timing import stage, timed
-from haros_ci.workspace.views import View, views
+from haros_ci.workspace.views import View
 
 if TYPE_CHECKING:  # they are loaded where there is something to check
-    from haros_ci.analysis.architecture import Common
-    from haros_ci.behaviour.declared import Stated
     from haros_ci.checking.check import Check
     from haros_ci.checking.project import Project
     from haros_ci.checking.system import System
-    from haros_ci.code.codebase import Codebase
-    from haros_ci.systems.link import Linked
     from haros_ci.workspace.base import Base
 
 Progress = Callable[[str], None]
@@ -40,75 +33,6 @@ Progress = Callable[[str], None]
 ARCHITECTURE = "architecture"
 #: Of so few files the checks are done before another process is there.
 FEW = 50
-#: A workspace in a run: its root, and which packages of it are seen.
-_Key = tuple[Path, tuple[str, ...]]
-
-
-def _key(workspace: Workspace) -> _Key:
-    return workspace.root, tuple(package.path for package in workspace.packages)
-
-
-class Architectures:
-    """The architecture of each workspace of a run, made once: that of the base revision is asked for by both sides."""
-
-    def __init__(self, settings: Settings, store: Store, known: Registry | None = None) -> None:
-        self.settings = settings
-        self.store = store
-        self.registry = known or registry(settings)
-        self._made: dict[_Key, Linked] = {}
-        self._projects: dict[_Key, Project] = {}
-        self._common: Common | None = None
-
-    def under(self, store: Store) -> Architectures:
-        """The same, what is made from now on kept in *store*; without a cache what the run has in memory counts on."""
-        if self.settings.cache_dir is not None:
-            self.store = store
-        return self
-
-    def project(self, workspace: Workspace) -> Project:
-        """What the checks have seen of the workspace, or see of it, for who shows more of that."""
-        if _key(workspace) not in self._projects:
-            from haros_ci.checking.system import systems
-
-            made = self.of(workspace)
-            found = tuple(systems(made.architecture, workspace))
-            where = self.settings.project_file or ""
-            access = self.settings.access
-            self._projects[_key(workspace)] = project_of(made, workspace, found, project_file=where, access=access)
-        return self._projects[_key(workspace)]
-
-    def seen(self, project: Project) -> Project:
-        """Keep what the checks see."""
-        self._projects[_key(project.workspace)] = project
-        return project
-
-    def has_made(self, workspace: Workspace) -> bool:
-        """Whether the systems of *workspace* are there already."""
-        return _key(workspace) in self._made
-
-    def of(self, workspace: Workspace) -> Linked:
-        with stage("loading"):
-            from haros_ci.analysis.architecture import Common, varied
-            from haros_ci.analysis.views import joined
-
-        if self._common is None:
-            self._common = Common()
-        key = _key(workspace)
-        if key not in self._made:
-            parts = views(workspace)
-            if parts[0].workspace is workspace:
-                self._made[key] = varied(
-                    workspace,
-                    self.settings,
-                    self.store,
-                    exact=self.settings.exact,
-                    processes=self.settings.jobs,
-                    common=self._common,
-                )
-            else:
-                where = self.settings.project_file or "the project file"
-                self._made[key] = joined(workspace, parts, [self.of(view.workspace) for view in parts], where)
-        return self._made[key]
 
 
 @timed("checks")
@@ -148,7 +72,7 @@ def _inspected(
     with stage("loading"):
         from haros_ci.analysis.cut_short import cut_short
         from haros_ci.analysis.launch_faults import refused
-        from haros_ci.analysis.same_model import has_same_model
+        from haros_ci.analysis.same_model import moved_lines
         from haros_ci.analysis.unmodelled import lacking
         from haros_ci.checking.all_checks import OF_CHANGES, run_all
         from haros_ci.checking.run import Assigned
@@ -156,7 +80,13 @@ def _inspected(
 
     if progress is not None:
         progress("architecture")
-    made = architectures.of(workspace)
+    lines = None if base is None or settings.plugins else moved_lines(base, workspace, architectures.store)
+    if base is None:
+        made = architectures.kept(workspace)
+    elif lines is None:
+        made = architectures.of(workspace)
+    else:
+        made = architectures.kept(workspace, base.workspace, lines)
     found = made.architecture
 
     def under(system: System, arguments: Assigned) -> System | None:
@@ -167,20 +97,21 @@ def _inspected(
         progress(f"{len(chosen)} checks")
     all_systems = tuple(systems(found, workspace))
     past, renames = _past(base, architectures), base.renames if base else None
-    is_same = (
-        base is not None and not settings.plugins and has_same_model(base, workspace, made.sources, architectures.store)
-    )
     where = settings.project_file or ""
     access = settings.access
     seen = project_of(made, workspace, all_systems, past, renames, project_file=where, access=access)
-    project = architectures.seen(seen.without_changes() if is_same else seen)
+    project = architectures.seen(seen if lines is None else seen.without_changes())
     processes = settings.jobs if len(workspace.files) > FEW else 1
     share = partial(shared, processes=processes, here=OF_CHANGES)
     old = base.workspace if base is not None else None
-    beside = partial(lacking, made, workspace, settings)
+    kept, of = architectures.keeping(), base.workspace if base is not None and lines is not None else workspace
+    before = kept.sentences(of) if kept is not None else None
+    beside = partial(lacking, made, workspace, settings) if before is None else partial(tuple[str, ...], before)
     of_systems, of_project, changes, sentences = run_all(
         chosen, all_systems, project, own.TOOL, under, share, old, beside
     )
+    if kept is not None and before is None:
+        kept.put_sentences(of, sentences)
     failures = (*of_systems.notifications, *of_project.notifications)
     faults = tuple(refused(workspace))
     cut: tuple[Problem, ...] = ()
@@ -233,8 +164,7 @@ def inspected_or_kept(
         bare = replace(run, analysed=frozenset())
         return inspected(bare, workspace, selection, architectures, progress, base)
 
-    options = repr((settings.project_file, settings_digests(settings, known.components)))
-    found = kept_run(ARCHITECTURE, make, workspace, base, options, architectures.store)
+    found = kept_run(ARCHITECTURE, make, workspace, base, options_of(settings, known), architectures.store)
     return replace(found, tool=run.tool, analysed=run.analysed)
 
 
@@ -256,7 +186,7 @@ def _past(base: Base | None, architectures: Architectures) -> Callable[[], Proje
 
         if base is None:
             return None
-        made = architectures.of(base.workspace)
+        made = architectures.kept(base.workspace)
         return project_of(made, base.workspace, tuple(systems(made.architecture, base.workspace)))
 
     return make
@@ -264,57 +194,7 @@ def _past(base: Base | None, architectures: Architectures) -> Callable[[], Proje
 
 def _problems_before(base: Base, architectures: Architectures) -> Callable[[], Iterable[Problem]]:
     """What could not be analysed at the base revision."""
-    return lambda: architectures.of(base.workspace).architecture.problems
-
-
-def project_of(
-    made: Linked,
-    workspace: Workspace,
-    systems: tuple[System, ...],
-    base: Project | Callable[[], Project | None] | None = None,
-    renames: Mapping[str, str] | None = None,
-    *,
-    project_file: str = "",
-    stated: Sequence[Stated] | None = None,
-    access: Sequence[AccessRule] = (),
-) -> Project:
-    """What the checks of packages see, from what the architecture was *made* of; *base* is that of the base revision.
-
-    *stated* are the properties that count in place of those of the project file.
-    """
-    from haros_ci.analysis.comparison import revision_of
-    from haros_ci.checking.project import Project
-    from haros_ci.robot.descriptions import Descriptions
-    from haros_ci.workspace.xml import XmlError, parse_xml
-
-    def element(path: str) -> Element | None:
-        try:
-            return parse_xml(workspace.text(path).encode())
-        except (XmlError, UnicodeEncodeError):
-            return None
-
-    def code() -> Codebase:
-        from haros_ci.analysis.code_of import code_of
-
-        with stage("call graph"):
-            return code_of(made, workspace)
-
-    programs = {source.path: source.program for source in made.sources}
-    return Project(
-        workspace,
-        made.builds,
-        programs,
-        systems,
-        read_xml=element,
-        base=base,
-        renames=renames,
-        revision=revision_of(workspace, made),
-        robots=Descriptions(workspace, made.builds),
-        code=code,
-        project_file=project_file,
-        stated=stated,
-        access=access,
-    )
+    return lambda: architectures.kept(base.workspace).architecture.problems
 
 
 @timed("queries")

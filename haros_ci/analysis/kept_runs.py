@@ -73,7 +73,7 @@ def kept_output(
     kept is data, not trust: text with characters that no text of ours has is made anew, and who writes ``said`` escapes it. What is not
     *is_kept* is made again the next time.
     """
-    key = _digest(name, settings, program_digest(), state(workspace))
+    key = key_of(name, settings, workspace)
     found = _unpacked(store.get(GROUP, f"{name} {key}", key))
     if found is not None and (is_binary or _is_plain(found.content)):
         return found
@@ -82,6 +82,11 @@ def kept_output(
     if is_kept(output) and len(output.content) <= MAX_OUTPUT and len(packed) <= MAX_PACKED:
         store.put(GROUP, f"{name} {key}", key, [list(output.messages), b64encode(packed).decode()])
     return output
+
+
+def key_of(name: str, settings: str, workspace: Workspace) -> str:
+    """The key of what the stage *name* finds in *workspace* alone, with the digest of its *settings*, by this program."""
+    return _digest(name, settings, program_digest(), state(workspace))
 
 
 def _unpacked(kept: Any) -> Output | None:

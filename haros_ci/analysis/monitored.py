@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from haros_ci.analysis.inspection import Architectures, project_of
+from haros_ci.analysis.architectures import Architectures, project_of
 from haros_ci.behaviour.declared import WORKSPACE, Owner, Stated, in_file
 from haros_ci.behaviour.meaning import mistakes
 from haros_ci.behaviour.messages import Constant, Scene, Typed

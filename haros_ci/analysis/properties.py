@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import partial
 
-from haros_ci.analysis.inspection import Architectures, project_of
+from haros_ci.analysis.architectures import Architectures, project_of
 from haros_ci.behaviour.declared import WORKSPACE, Owner, Stated, in_file, in_project
 from haros_ci.checking.project import Project
 from haros_ci.checking.properties import find_file

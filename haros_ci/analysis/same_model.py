@@ -3,14 +3,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from dataclasses import replace
 from itertools import pairwise
 
 from haros_ci.analysis.architecture import facts_at, read_facts
 from haros_ci.analysis.kept_runs import state
 from haros_ci.coverage.blanked import uncommented
-from haros_ci.index.index import Source
 from haros_ci.keeping.moves import Lines, moves
 from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Store, Workspace
@@ -24,27 +22,30 @@ CODE = ("cpp", "python")
 LINE_NUMBERS = ("__LINE__", "source_location", "lineno")
 
 
-def has_same_model(base: Base, workspace: Workspace, sources: Iterable[Source], store: Store) -> bool:
-    """Whether the model of *base* is that of *workspace*, whose programs are *sources*, but for the lines that things stand on.
+def moved_lines(base: Base, workspace: Workspace, store: Store) -> dict[str, Lines] | None:
+    """The new line of each old one that has code, by the files in which any moved, where the model of *base* is that of *workspace* but for these; else None.
 
     So it is where all files are the same but for those of code whose programs only moved: the same text without comments and empty lines, in
-    the same columns, lines in the same order. Where that is not certain the answer is no.
+    the same columns, lines in the same order. Where that is not certain there is None.
     """
     if base.renames:
-        return False
+        return None
     before = {file.path: file for file in base.workspace.files}
     changed = [file for file in workspace.files if file.path in before and before[file.path].digest != file.digest]
     if any(file.language not in CODE for file in changed):
-        return False
+        return None
     paths = {file.path for file in changed}
     if state(_without(base.workspace, paths)) != state(_without(workspace, paths)):
-        return False
-    programs = {source.path: source.program for source in sources}
-    return all(
-        _same_text(base.workspace.text(file.path), workspace.text(file.path), file.language)
-        and _only_moved(_program_of(base.workspace, before[file.path], store), programs.get(file.path))
-        for file in changed
-    )
+        return None
+    found: dict[str, Lines] = {}
+    for file in changed:
+        lines = _same_text(base.workspace.text(file.path), workspace.text(file.path), file.language)
+        programs = _program_of(base.workspace, before[file.path], store), _program_of(workspace, file, store)
+        if lines is None or not _only_moved(*programs):
+            return None
+        if any(old != new for old, new in lines.items()):
+            found[file.path] = lines
+    return found
 
 
 def _without(workspace: Workspace, paths: set[str]) -> Workspace:
@@ -53,21 +54,28 @@ def _without(workspace: Workspace, paths: set[str]) -> Workspace:
     return replace(workspace, files=files)
 
 
-def _same_text(before: str, now: str, language: str) -> bool:
+def _same_text(before: str, now: str, language: str | None) -> Lines | None:
+    """The new line of each old one that has more than comments; None if these are not the same, each at its columns."""
     if any(word in now for word in LINE_NUMBERS):
-        return False
-    return _lines_of(before, language) == _lines_of(now, language)
+        return None
+    old, new = _lines_of(before, language or ""), _lines_of(now, language or "")
+    if [text for _, text in old] != [text for _, text in new]:
+        return None
+    return {was: now for (was, _), (now, _) in zip(old, new, strict=True)}
 
 
-def _lines_of(text: str, language: str) -> list[str]:
-    """The lines of *text* that have more than comments, each at its columns."""
-    lines = (line.rstrip() for line in uncommented(text, language).split("\n"))
-    return [line for line in lines if line]
+def _lines_of(text: str, language: str) -> list[tuple[int, str]]:
+    """The lines of *text* that have more than comments, with their numbers."""
+    lines = enumerate((line.rstrip() for line in uncommented(text, language).split("\n")), 1)
+    return [(number, line) for number, line in lines if line]
 
 
 def _program_of(workspace: Workspace, file: SourceFile, store: Store) -> Program | None:
-    """The program of a file, from *store* if it is there."""
-    return decoded(store.get_text(*facts_at(file)) or read_facts(workspace, file.path, file.language))
+    """The program of a file, from *store*, which has it then."""
+    text = store.get_text(*facts_at(file))
+    if text is None and (text := read_facts(workspace, file.path, file.language or "")):
+        store.put_text(*facts_at(file), text)
+    return decoded(text)
 
 
 def _only_moved(before: Program | None, now: Program | None) -> bool:

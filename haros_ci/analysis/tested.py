@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
-from haros_ci.analysis.inspection import Architectures, project_of
+from haros_ci.analysis.architectures import Architectures, project_of
 from haros_ci.analysis.monitored import configuration_of, names_in_system
 from haros_ci.analysis.requested import configurations
 from haros_ci.behaviour.declared import Stated

@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
-from haros_ci.analysis.inspection import Architectures
+from haros_ci.analysis.architectures import Architectures
 from haros_ci.analysis.monitored import Chosen, Monitored, chosen
 from haros_ci.checking.kinds import TOPIC
 from haros_ci.checking.properties import CONTAINERS

@@ -15,7 +15,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from haros_ci.analysis.architecture import varied
-from haros_ci.analysis.inspection import project_of
+from haros_ci.analysis.architectures import project_of
 from haros_ci.api import Check
 from haros_ci.checking.page import SECTIONS, Example, filled, read_page
 from haros_ci.checking.run import run_checks, run_on_project

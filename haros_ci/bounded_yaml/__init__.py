@@ -41,6 +41,24 @@ MERGE = TAG + "merge"
 Scalar = str | int | float | bool | None
 
 
+#: What the words of libyaml mean for who wrote the text.
+_MEANS = {
+    "found character that cannot start any token": "a tab stands in the indentation, or a text that begins with @, ` or % lacks quotes",
+    "mapping values are not allowed in this context": "a key is indented too far, or a text that has ': ' in it lacks quotes",
+    "did not find expected key": "the line is indented otherwise than those above it",
+    "did not find expected '-' indicator": "the line is indented otherwise than those above it",
+    "could not find expected ':'": "a line without a colon stands among keys",
+    "did not find expected ',' or ']'": "a bracket is not closed, or a comma is missing",
+    "did not find expected ',' or '}'": "a brace is not closed, or a comma is missing",
+    "found unexpected end of stream": "a quote is not closed",
+}
+
+
+def explained(problem: str) -> str:
+    """The parser's *problem*, and what it means where that is known."""
+    return f"{problem} ({_MEANS[problem]})" if problem in _MEANS else problem
+
+
 class YamlFault(Exception):
     """The text is not plain YAML: *message* says why and what to do, *problem* why alone, *line* where: 1 if that is not known (*is_placed*).
 
@@ -343,7 +361,7 @@ def _faults(syntax: str = Composer.SYNTAX) -> Iterator[None]:
         yield
     except yaml.MarkedYAMLError as err:
         mark = err.problem_mark or err.context_mark
-        problem = str(err.problem or err.context or "it is cut off")
+        problem = explained(str(err.problem or err.context or "it is cut off"))
         raise YamlFault(problem, mark.line + 1 if mark else None, message=syntax.format(problem)) from err
     except (yaml.YAMLError, UnicodeError) as err:
         problem = "it holds a control character"

@@ -47,5 +47,7 @@ def included_by(fact: LaunchFact) -> tuple[tuple[Location, str], ...]:
 
 
 def meant(similar: tuple[str, ...]) -> str:
-    """A hint at what may be meant: ``; did you mean 'x'?``."""
+    """A hint at what may be meant: ``; did you mean 'x'?``. A file that is not in the package is no other word for this one."""
+    if similar and similar[0].startswith("../"):
+        return f"; a file like it lies outside of the package, at {similar[0]!r}: name the package that has it, or add the file"
     return f"; did you mean {similar[0]!r}?" if similar else ""

@@ -29,6 +29,8 @@ _OWN_ONLY = ("test_depend", "doc_depend")
 _SHOWN = 3
 #: Packages that are looked at for what others bring, in all; a thousand packages that need each other have a million.
 MAX_STEPS = 3_000_000
+#: What one name says of all that a package gets, as in ``Provision``.
+_OPEN, _OF_MESSAGES, _OF_A_SYSTEM = 1, 2, 4
 #: Keys that bring what others bring parts of.
 _WHOLE = frozenset(("libqt4-dev", "qtbase5-dev", "qt6-base-dev"))
 #: Commands of CMake that build Python modules.
@@ -59,7 +61,8 @@ class Provisions:
     def __init__(self, project: Project) -> None:
         self.project = project
         self._brought: dict[tuple[str, int | None], frozenset[str] | None] = {}
-        self._steps = MAX_STEPS
+        self._left = MAX_STEPS
+        self._steps_by_ros: dict[int | None, dict[str, tuple[frozenset[str], int]]] = {}
         self._named: dict[str, list[Package]] = {}
         for raw in project.workspace.packages:
             self._named.setdefault(raw.name, []).append(raw)
@@ -69,27 +72,37 @@ class Provisions:
         declared = package.declared if tests else _for_users(package)
         names = {package.name, *declared, *self._aside(package)}
         todo = list(names - {package.name})
-        is_open = interfaces = system = False
+        steps = self._steps_by_ros.setdefault(package.ros, {})
+        marks = 0
         while todo:
             name = todo.pop()
-            self._steps -= 1
-            if self._steps < 0:
+            self._left -= 1
+            if self._left < 0:
                 return Provision(frozenset(names), is_open=True)
-            brought = self.brought(name, package.ros)
-            if brought is None and name.endswith(_INTERFACES):
-                interfaces = True
-                brought = self.brought("std_msgs", package.ros)
-            if brought is None and "-" in name:  # no package's name has one (REP 144), keys have
-                system = system or not name.startswith("python")
-            elif brought is None:
-                is_open = is_open or name not in OF_PYTHON  # that brings nothing
-            elif not self.project.knowledge.is_whole(name):
-                system = True
-            new = (brought or frozenset()) - names
+            step = steps.get(name)
+            if step is None:
+                step = steps[name] = self._step(name, package.ros)
+            brought, says = step
+            marks |= says
+            new = brought - names
             names |= new
             todo += new
         names.update(*(_variants(name) for name in declared))
-        return Provision(frozenset(names), is_open, interfaces, system)
+        return Provision(frozenset(names), bool(marks & _OPEN), bool(marks & _OF_MESSAGES), bool(marks & _OF_A_SYSTEM))
+
+    def _step(self, name: str, ros: int | None) -> tuple[frozenset[str], int]:
+        """What *name* brings to a package of *ros*, and what it says of the whole."""
+        brought, says = self.brought(name, ros), 0
+        if brought is None and name.endswith(_INTERFACES):
+            says = _OF_MESSAGES
+            brought = self.brought("std_msgs", ros)
+        if brought is None and "-" in name:  # no package's name has one (REP 144), keys have
+            says |= 0 if name.startswith("python") else _OF_A_SYSTEM
+        elif brought is None:
+            says |= 0 if name in OF_PYTHON else _OPEN  # what Python has brings nothing
+        elif not self.project.knowledge.is_whole(name):
+            says |= _OF_A_SYSTEM
+        return brought or frozenset(), says
 
     def lacks(self, provision: Provision, providers: frozenset[str]) -> bool:
         """Whether none of *providers* is there for certain."""

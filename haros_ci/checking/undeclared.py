@@ -169,13 +169,10 @@ def asks_what_is_installed(path: str, system: System) -> bool:
 
 
 def dependency_place(package: Package) -> Location:
-    """Where another dependency goes: behind those that there are."""
+    """Where another dependency goes: behind those of its kind, else behind all that there are."""
     path = "package.xml" if package.path == "." else f"{package.path}/package.xml"
-    lines = [
-        dependency.line
-        for dependency in package.dependencies
-        if dependency.line is not None and dependency.kind in _RUN
-    ]
+    there = [(dependency.line, dependency.kind) for dependency in package.dependencies if dependency.line is not None]
+    lines = [line for line, kind in there if kind in _RUN] or [line for line, _ in there]
     return Location(path, max(lines, default=1))
 
 

@@ -19,6 +19,8 @@ Around = tuple["Place", ...]
 _LEAVES: frozenset[type] = frozenset(
     (syntax.Name, syntax.String, syntax.Number, syntax.Boolean, syntax.This, syntax.Null, syntax.TypeName)
 )
+#: Expressions that a body notes.
+_NOTED: frozenset[type] = frozenset((syntax.Call, syntax.Lambda, syntax.Assignment, syntax.New, syntax.Unknown))
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -230,7 +232,10 @@ def _expression(expression: Expression, body: Body, around: Around, is_bare: boo
     waiting = [expression] if expression.__class__ not in _LEAVES else []
     while waiting:
         node = waiting.pop()
-        if isinstance(node, syntax.Call):
+        kind = node.__class__
+        if kind not in _NOTED:
+            pass
+        elif isinstance(node, syntax.Call):
             body.calls.append(Call(last_part(node.callee), node, around, is_bare and node is expression))
         elif isinstance(node, syntax.Lambda):
             body.inner.append((node.function, around))
@@ -242,7 +247,8 @@ def _expression(expression: Expression, body: Body, around: Around, is_bare: boo
         elif isinstance(node, syntax.Unknown):
             body.is_partial = True
             continue
-        waiting.extend([part for part in reversed(parts(node)) if part.__class__ not in _LEAVES])
+        if (parts_of := _PARTS.get(kind)) is not None:
+            waiting.extend([part for part in reversed(parts_of(node)) if part.__class__ not in _LEAVES])
 
 
 def parts(node: Expression) -> list[Expression]:

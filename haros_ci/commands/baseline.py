@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import click
 
 from haros_ci.baselines import COMPACT_NAME, known_findings
-from haros_ci.commands.common import Flags, run, settings_from
+from haros_ci.commands.common import Flags, run, settings_from, view_of
 from haros_ci.commands.timings import with_timings
 from haros_ci.config.settings import Settings
 from haros_ci.errors import EXIT_TOOL_TROUBLE, UserError
@@ -19,25 +19,35 @@ from haros_ci.results.rule import Level
 from haros_ci.writing import write
 
 if TYPE_CHECKING:
+    from haros_ci.model.workspace import Workspace
     from haros_ci.results.known import ComparedFiles, KnownFinding
 
 
 @with_timings
 def create(flags: Flags) -> int:
     """``haros-ci baseline create``: today's findings become known; a file that holds any is written anew under ``--force`` only."""
+    from haros_ci.report.summary import plural
     from haros_ci.results.compact import write_compact
     from haros_ci.results.counted import is_counted
     from haros_ci.results.known import known_from_results
 
-    settings, report, sides = examined(flags)
+    settings, report, workspace = looked_at(flags)
+    sides = compared(settings, report, workspace)
     known = known_from_results(report.results)
     path = baseline_path(flags, settings)
     if not flags["force"] and not report.failed_tools() and _holds_another(path, write_compact(known)):
         help = "'haros-ci baseline update --accept-new' adds to it and keeps its reasons; '--force' writes it anew"
         raise UserError(f"{path} exists already. {_difference(path, settings, report, sides)}", help=help)
     metrics = sum(map(is_counted, report.results))
-    counted = f", {metrics} of them metrics beyond limits, which check only counts" if metrics else ""
-    return keep(flags, known, report, f"{len(known)} findings are known now{counted}")
+    joined = len(report.results) - len(view_of(workspace, flags, to_file=False).joined(report).results)
+    parts = [f"{metrics} of them metrics beyond limits, which check only counts"] if metrics else []
+    parts += [f"check shows {joined} of them together with others like them"] if joined else []
+    return keep(
+        flags,
+        known,
+        report,
+        ", ".join((f"{plural(len(known), 'finding')} {'is' if len(known) == 1 else 'are'} known now", *parts)),
+    )
 
 
 def _holds_another(path: Path, text: str) -> bool:
@@ -110,11 +120,22 @@ def show(flags: Flags) -> int:
 
 def examined(flags: Flags) -> tuple[Settings, Report, ComparedFiles]:
     """Today's findings without any baseline, and the files as the matcher asks for them."""
-    from haros_ci.results.known import sides
+    settings, report, workspace = looked_at(flags)
+    return settings, report, compared(settings, report, workspace)
 
+
+def looked_at(flags: Flags) -> tuple[Settings, Report, Workspace]:
+    """Today's findings without any baseline, and where they are."""
     settings = replace(settings_from({**flags, "no_baseline": True}), with_copies=True)
     report, workspace = run(settings, flags)
-    return settings, report, sides(workspace, report.runs, settings.paths)
+    return settings, report, workspace
+
+
+def compared(settings: Settings, report: Report, workspace: Workspace) -> ComparedFiles:
+    """The files as the matcher asks for them."""
+    from haros_ci.results.known import sides
+
+    return sides(workspace, report.runs, settings.paths)
 
 
 def known_file(flags: Flags, settings: Settings) -> tuple[KnownFinding, ...]:

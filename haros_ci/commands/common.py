@@ -37,7 +37,7 @@ from haros_ci.workspace.cache import DiskCache, MemoryCache, cache_directory
 from haros_ci.writing import write
 
 if TYPE_CHECKING:
-    from haros_ci.analysis.inspection import Architectures
+    from haros_ci.analysis.architectures import Architectures
 
 Flags = Mapping[str, Any]
 Progress = Callable[[str], None]
@@ -219,7 +219,7 @@ def run_with_systems(settings: Settings, flags: Flags) -> tuple[Report, Workspac
 
     def analysed(store: DiskCache | MemoryCache, progress: Progress) -> tuple[Report, Workspace, Architectures]:
         with stage("loading"):
-            from haros_ci.analysis.inspection import Architectures
+            from haros_ci.analysis.architectures import Architectures
             from haros_ci.pipeline import analyse
 
         known = Architectures(settings, store)

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import click
 
-from haros_ci.analysis.inspection import Architectures
+from haros_ci.analysis.architectures import Architectures
 from haros_ci.commands.common import Flags, Progress, under_cache
 from haros_ci.commands.output import text_in
 from haros_ci.config.settings import Settings

@@ -26,7 +26,7 @@ def hpl(flags: Mapping[str, Any]) -> int:
         from haros_ci.commands.hpl_suggest import suggest
 
         return suggest(flags)
-    from haros_ci.analysis.inspection import Architectures
+    from haros_ci.analysis.architectures import Architectures
     from haros_ci.analysis.properties import checked
     from haros_ci.registry import registry
 

@@ -12,7 +12,7 @@ from typing import Any
 
 import click
 
-from haros_ci.analysis.inspection import Architectures
+from haros_ci.analysis.architectures import Architectures
 from haros_ci.analysis.monitored import Chosen, Monitored, chosen, with_properties
 from haros_ci.commands.common import reported, settings_from, store_for
 from haros_ci.commands.monitor_export import export, target_of

@@ -87,9 +87,10 @@ def _github(report: Report, view: Extras) -> str:
 
 def _json(report: Report, view: Extras) -> str:
     from haros_ci.report.json_report import render
-    from haros_ci.results.copied import copy_of
+    from haros_ci.results.copied import copy_of, standing_for_others
 
-    return render(report, copy_of(view.joined(report)))
+    joined = view.joined(report)
+    return render(report, copy_of(joined), standing_for_others(joined))
 
 
 def _junit(report: Report, view: Extras) -> str:

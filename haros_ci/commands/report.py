@@ -10,7 +10,7 @@ from pathlib import Path
 
 import click
 
-from haros_ci.analysis.inspection import Architectures
+from haros_ci.analysis.architectures import Architectures
 from haros_ci.commands.common import (
     Flags,
     Progress,

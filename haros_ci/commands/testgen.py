@@ -13,7 +13,7 @@ from typing import Any
 
 import click
 
-from haros_ci.analysis.inspection import Architectures
+from haros_ci.analysis.architectures import Architectures
 from haros_ci.analysis.tested import suites
 from haros_ci.commands.common import store_for
 from haros_ci.commands.monitor import settings_of

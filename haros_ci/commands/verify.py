@@ -12,7 +12,7 @@ from typing import Any
 
 import click
 
-from haros_ci.analysis.inspection import Architectures
+from haros_ci.analysis.architectures import Architectures
 from haros_ci.analysis.verified import ToVerify, to_verify
 from haros_ci.commands.common import reported, settings_from, store_for
 from haros_ci.commands.output import parse_outputs

@@ -5,7 +5,8 @@ from __future__ import annotations
 
 from datetime import datetime, timezone
 
-from haros_ci.analysis.inspection import Architectures, asks
+from haros_ci.analysis.architectures import Architectures
+from haros_ci.analysis.inspection import asks
 from haros_ci.config.selection import Selection
 from haros_ci.haros_json.documents import Input, documents
 from haros_ci.linters import catalogue

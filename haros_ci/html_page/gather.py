@@ -10,7 +10,7 @@ from datetime import datetime, timezone
 from functools import partial
 from typing import Any
 
-from haros_ci.analysis.inspection import Architectures
+from haros_ci.analysis.architectures import Architectures
 from haros_ci.analysis.kept_runs import Output, kept_output
 from haros_ci.checking.transforms import broadcasts
 from haros_ci.config.digests import settings_digests

@@ -13,6 +13,7 @@ from posixpath import join, relpath
 from haros_ci.linters import compile_db, cppcheck_libraries, growth, includes, installed, ros_macros
 from haros_ci.linters.catalogue.cppcheck import UNSURE
 from haros_ci.linters.cppcheck_doubts import is_refuted, self_initialized_line
+from haros_ci.linters.cppcheck_indices import OF_INDICES, is_multiple, is_searched
 from haros_ci.linters.doubting import Doubting
 from haros_ci.linters.linter import Batch, Command, Finding, GaveUp, LintOptions, Output, Program, Unit, When
 from haros_ci.linters.tool_xml import ToolElement, elements
@@ -164,7 +165,9 @@ def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
         at, line = error.children[0]["file"], int(error.children[0]["line"])
         text = batch.workspace.text(at)
         is_doubted = rule not in GAVE_UP and doubting.may(at, rule, text)
-        if is_doubted and is_refuted(rule, error.attributes["msg"], line, text):
+        if is_doubted and (
+            is_refuted(rule, error.attributes["msg"], line, text) or _is_never_so(error, batch.workspace)
+        ):
             continue
         if rule == "selfInitialization":
             right = self_initialized_line(error.attributes["msg"], line, batch.workspace.text(at))
@@ -175,6 +178,14 @@ def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
             elif unit not in silenced:
                 silenced.add(unit)
                 yield _gave_up(unit, error, batch.workspace)
+
+
+def _is_never_so(error: ToolElement, workspace: Workspace) -> bool:
+    """Whether the places that lead to a negative index rule it out."""
+    if error.attributes["id"] not in OF_INDICES:
+        return False
+    steps = [(child["file"], int(child["line"]), child.get("info", "")) for child in error.children]
+    return is_multiple(steps[0][1], workspace.text(steps[0][0])) or is_searched(steps, workspace.text)
 
 
 def _setup(root: str, home: str, flags: tuple[str, ...]) -> tuple[tuple[str, ...], tuple[str, ...]]:

@@ -105,8 +105,10 @@ def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
     paths = {file.path for file in batch.files}
     done = set(re.findall(r"^Done processing \./(.*)$", text, re.MULTILINE))
     done.update(re.findall(r'^Ignoring "?\./(.*?)(?:": file excluded by|; not a valid file name)', text, re.MULTILINE))
-    if not paths <= done:
-        raise ValueError(f"no answer for {min(paths - done)}")
+    stopped = paths & set(re.findall(r"^Stopped processing \./(.*)$", text, re.MULTILINE))
+    yield from (GaveUp(path, "it takes more time than other files of its size") for path in sorted(stopped))
+    if not paths <= done | stopped:
+        raise ValueError(f"no answer for {min(paths - done - stopped)}")
     for line in text.split("\n"):
         match = re.match(r"\./(.*?):(?=(?:\d+|None):  )", line)
         if match is None or match[1] not in paths:

@@ -15,6 +15,7 @@ import os
 import re
 import sys
 from collections.abc import Callable, Mapping
+from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
@@ -24,6 +25,11 @@ try:
 except ImportError:  # Python 3.10
     import sre_constants as codes
     import sre_parse as syntax
+
+if not __package__:  # run as a script: haros_ci itself, also where it is not installed
+    sys.path.append(str(Path(__file__).resolve().parents[2]))
+
+from haros_ci.linters.metrics_worker import cpu_limit, seconds_for
 
 #: How many patterns are kept: cpplint makes some of names that it reads.
 KEPT = 4000
@@ -122,6 +128,23 @@ def _kept_by_file(ask: Callable[[Any], str]) -> Callable[[Any], str]:
     return name
 
 
+def bound(cpplint: Any) -> None:
+    """A file has processor time by its size, and then is left: cpplint takes the square of what some lines hold. A line on stdout names it."""
+    process: Callable[..., None] = cpplint.ProcessFile
+    restore: Callable[[], None] = getattr(cpplint, "_RestoreFilters", lambda: None)
+
+    def process_in_time(name: str, *arguments: Any, **options: Any) -> None:
+        try:
+            size = os.path.getsize(name) if os.path.isfile(name) else 0
+            with cpu_limit(seconds_for(size)):
+                process(name, *arguments, **options)
+        except TimeoutError:
+            restore()
+            print(f"\nStopped processing {name}", flush=True)
+
+    cpplint.ProcessFile = process_in_time
+
+
 def give_settings(root: str, name: str, settings: Mapping[str, str]) -> None:
     """Files called *name* are those of *settings* (by paths below *root*) and no others, wherever cpplint looks for them."""
     isfile: Callable[[Any], bool] = os.path.isfile
@@ -151,6 +174,7 @@ def main() -> None:
         sys.path.append(directory)
     cpplint = importlib.import_module("cpplint")
     hasten(cpplint)
+    bound(cpplint)
     request = json.load(sys.stdin.buffer)
     give_settings(os.getcwd(), "CPPLINT.cfg", request["settings"])
     sys.argv = ["cpplint", *options, *request["files"]]

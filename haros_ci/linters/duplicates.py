@@ -38,11 +38,15 @@ def merge_same_defects(
     """
     found = tuple(results)
     order = sorted(range(len(found)), key=lambda i: found[i].sort_key)
+    places: dict[str, list[int]] = {}
+    for place, i in enumerate(order):
+        places.setdefault(found[i].full_id, []).append(place)
     lines = _lines(found)
     merged: dict[int, Result] = {}
     dropped: set[int] = set()
     for rules in same_defect:
-        for group in _groups(found, order, lines, rules, dropped):
+        concerned = [order[place] for place in sorted(place for rule in {*rules} for place in places.get(rule, ()))]
+        for group in _groups(found, concerned, lines, rules, dropped):
             if len(group) > 1:
                 first = group[0]
                 merged[first] = _merge(merged.get(first, found[first]), [merged.get(i, found[i]) for i in group[1:]])
@@ -61,13 +65,13 @@ def drop_unfounded(results: Iterable[Result], text: Callable[[str], str]) -> tup
 def _groups(
     found: Sequence[Result], order: Iterable[int], lines: Sequence[int], rules: Sequence[str], dropped: set[int]
 ) -> Iterable[list[int]]:
-    """The positions of results that are one defect by *rules*, the one to keep first."""
+    """Of *order*, the positions of results of *rules*, those that are one defect, the one to keep first."""
     rank = {rule: place for place, rule in enumerate(rules)}
     groups: dict[tuple[str, int, int], list[int]] = {}
     seen: dict[tuple[str, int, str], int] = {}
     for i in order:
         result = found[i]
-        if result.full_id not in rank or i in dropped:
+        if i in dropped:
             continue
         path, line = result.location.path, lines[i]
         nth = 0 if result.full_id in (_DEFAULT, _OF_FUNCTION) else seen.get((path, line, result.full_id), 0)

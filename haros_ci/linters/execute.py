@@ -138,7 +138,14 @@ def _ask(
         reads = (str(workspace.root), str(own), *footing.of_program(command.argv), *command.reads)
         confinement = Confinement(reads, (str(own), str(working), *footing.WRITTEN), command.talks)
     timeout = task.timeout(len(units))
-    output = processes.run(command, root=workspace.root, scratch=working, timeout=timeout, confinement=confinement)
+    output = processes.run(
+        command,
+        root=workspace.root,
+        scratch=working,
+        timeout=timeout,
+        confinement=confinement,
+        tool=task.linter.NAME,
+    )
     if output.truncated:
         raise _Failed("wrote more than it may")
     if output.code < 0:

@@ -14,8 +14,10 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import Any
 
-#: Seconds of processor time (not wall time, so that a busy machine changes nothing) that one file may take.
+#: Seconds of processor time (not wall time, so that a busy machine changes nothing) that one file may take at most; a small one has less.
 CPU_LIMIT = 30.0
+#: What any file has, and what it has for a megabyte: several times what tools need for code.
+CPU_LEAST, CPU_OF_MEGABYTE = 4.0, 60.0
 RECURSION_LIMIT = 5000
 
 Measure = Callable[[bytes], dict[str, Any]]
@@ -55,14 +57,16 @@ def serve(measure: Measure) -> None:
 
 
 def _answer(measure: Measure, root: str, path: str) -> dict[str, Any]:
+    limit = CPU_LIMIT
     try:
         source = _read(root, path)
-        with cpu_limit(CPU_LIMIT):
+        limit = seconds_for(len(source))
+        with cpu_limit(limit):
             return measure(source)
     except Unmeasurable as problem:
         return {"problem": problem.message, "line": problem.line}
     except TimeoutError:
-        return {"problem": f"not measured within {CPU_LIMIT:.0f} s", "line": None}
+        return {"problem": f"not measured within {limit:.0f} s", "line": None}
     except OSError as error:
         return {"problem": f"cannot be read: {error.strerror}", "line": None}
     except (RecursionError, MemoryError):
@@ -83,6 +87,11 @@ def _read(root: str, path: str) -> bytes:
         if not stat.S_ISREG(os.fstat(stream.fileno()).st_mode):
             raise Unmeasurable("not a regular file")
         return stream.read()
+
+
+def seconds_for(size: int) -> float:
+    """The seconds of processor time that a file of so many bytes may take."""
+    return min(CPU_LIMIT, CPU_LEAST + CPU_OF_MEGABYTE * size / 1e6)
 
 
 @contextmanager

@@ -29,6 +29,8 @@ MEMORY_LIMIT = 4_000_000_000
 
 #: Seconds that a tool which writes what it is at may stay with one file, or one configuration of it.
 STALL = 60.0
+#: By how much that is divided once it has stayed so long with one, two and more of its files: all of a hostile set together cost little more than the first.
+_IMPATIENCE = (1, 3, 6, 12)
 
 _LIMITING = threading.Lock()
 
@@ -40,9 +42,9 @@ class TimedOut(Exception):
 class Stalled(TimedOut):
     """The process was killed because it did not get on with the file *at*."""
 
-    def __init__(self, at: str) -> None:
+    def __init__(self, at: str, seconds: float) -> None:
         super().__init__(at)
-        self.at, self.seconds = at, STALL
+        self.at, self.seconds = at, seconds
 
 
 class Unstartable(Exception):
@@ -56,13 +58,21 @@ class Processes:
         self._lock = threading.Lock()
         self._alive: set[subprocess.Popen[bytes]] = set()
         self._stopped = False
+        self._stalls: dict[str, int] = {}
 
     def run(
-        self, command: Command, *, root: Path, scratch: Path, timeout: float, confinement: Confinement | None = None
+        self,
+        command: Command,
+        *,
+        root: Path,
+        scratch: Path,
+        timeout: float,
+        confinement: Confinement | None = None,
+        tool: str = "",
     ) -> Output:
         """What *command* left behind. Raises TimedOut (Stalled if it is known at which file), Unstartable.
 
-        With *confinement* it can open nothing else, as far as this machine can see to that. Both streams go to files in *scratch*: neither a full pipe nor an orphan that holds one open can then hang us.
+        The more files the *tool* has stalled at in other processes, the sooner it is taken to do so. With *confinement* it can open nothing else, as far as this machine can see to that. Both streams go to files in *scratch*: neither a full pipe nor an orphan that holds one open can then hang us.
         """
         scratch.mkdir(parents=True, exist_ok=True)
         streams = [scratch / name for name in (".stdin", ".stdout", ".stderr")]
@@ -80,8 +90,9 @@ class Processes:
         timer = threading.Timer(timeout, expire)
         timer.start()
         ended, stalled = threading.Event(), threading.Event()
-        if command.progress is not None and STALL < timeout:
-            watch = (streams[1], command.progress, ended, stalled, lambda: kill_group(process))
+        patience = STALL / _IMPATIENCE[min(self._stalls.get(tool, 0), len(_IMPATIENCE) - 1)]
+        if command.progress is not None and patience < timeout:
+            watch = (streams[1], command.progress, patience, ended, stalled, lambda: kill_group(process))
             threading.Thread(target=_watch, args=watch, daemon=True).start()
         try:
             code, seconds = _wait(process)
@@ -98,7 +109,9 @@ class Processes:
         kill_group(process)  # what it may have left running
         if stalled.is_set() and command.progress is not None:
             begun = command.progress.findall(_head(streams[1]))
-            raise Stalled(os.fsdecode(begun[-1])) if begun else TimedOut
+            with self._lock:
+                self._stalls[tool] = self._stalls.get(tool, 0) + 1
+            raise Stalled(os.fsdecode(begun[-1]), patience) if begun else TimedOut
         if expired.is_set():
             raise TimedOut
         truncated = any(_size(stream) >= OUTPUT_LIMIT for stream in streams[1:])
@@ -236,20 +249,21 @@ def _wait(process: subprocess.Popen[bytes]) -> tuple[int, float]:
 def _watch(
     stdout: Path,
     progress: re.Pattern[bytes],
+    patience: float,
     ended: threading.Event,
     stalled: threading.Event,
     kill: Callable[[], None],
 ) -> None:
-    """Until the process has *ended*: end it, by *kill*, when *stdout* has not grown for STALL seconds.
+    """Until the process has *ended*: end it, by *kill*, when *stdout* has not grown for *patience*, in seconds.
 
     A tool that has not named a file yet, as one of a version that names none, has the time of its batch.
     """
     size, since = 0, time.monotonic()
-    while not ended.wait(min(1.0, STALL / 4)):
+    while not ended.wait(min(1.0, patience / 4)):
         now = _size(stdout)
         if now != size:
             size, since = now, time.monotonic()
-        elif time.monotonic() - since > STALL and not ended.is_set() and progress.search(_head(stdout)) is not None:
+        elif time.monotonic() - since > patience and not ended.is_set() and progress.search(_head(stdout)) is not None:
             stalled.set()
             kill()
             return

@@ -130,9 +130,9 @@ def is_made_by_hand(text: str, line: int, column: int) -> bool:
 
 
 def is_index_of_array(text: str, line: int) -> bool:
-    """Whether an index on *line* is, or is made of, what a function of NumPy gave: ``rows[np.unravel_index(k, shape)[0]]``.
+    """Whether an index on *line* is, or is made of, what a function of NumPy gave, or is one into that: ``rows[np.unravel_index(k, shape)[0]]``.
 
-    pylint knows a few of these functions, and not what is in the arrays that they return.
+    Arrays take several indices at once (``np.dot(a, b)[0, i]``). pylint knows a few of these functions, and not what is in the arrays that they return.
     """
     if "numpy" not in text:
         return False
@@ -150,7 +150,10 @@ def is_index_of_array(text: str, line: int) -> bool:
     return any(
         isinstance(node, ast.Subscript)
         and node.slice.lineno <= line <= (node.slice.end_lineno or 0)
-        and any((isinstance(n, ast.Name) and n.id in given) or _is_called_on(n, names) for n in ast.walk(node.slice))
+        and any(
+            (isinstance(n, ast.Name) and n.id in given) or _is_called_on(n, names)
+            for n in (*ast.walk(node.slice), *((node.value,) if isinstance(node.slice, ast.Tuple) else ()))
+        )
         for node in nodes(text)
     )
 

@@ -53,6 +53,7 @@ _REQUIREMENTS = re.compile(
 _OF_NEW_ROS = re.compile(r"noetic|python-?3|\bpip3\b|\bfocal\b|20\.04", re.IGNORECASE)
 _ALL = re.compile(r"Undefined variable name '([A-Za-z_]\w*)' in __all__")
 _STARRED = re.compile(r"^[ \t]*from[ \t]+([A-Za-z_]\w*)[ \t]+import[ \t]*\*", re.MULTILINE)
+_TAKEN = re.compile(r"[ \t]*from[ \t]+([A-Za-z_]\w*)[ \t]+import[ \t]+\(?([\w, \t]+)")
 _EXPORTS = re.compile(r"^__all__\b", re.MULTILINE)
 #: Files of a package that are asked for their Python.
 _MOST_FILES = 300
@@ -93,14 +94,14 @@ def _is_refuted_apart(result: Result, line: int, workspace: Workspace) -> bool:
     if result.rule == "no-self-argument":
         return _is_helper(line, workspace.text(result.location.path), workspace)
     if result.rule == "import-self":
-        return _is_of_another_module(result.location.path, workspace)
+        return _is_of_another_module(result.location.path, line, workspace)
     if result.rule == "syntax-error":
         return _TABS in result.message and _is_python2_around(result.location.path, workspace)
     return _is_starred(result, workspace)
 
 
-def _is_of_another_module(path: str, workspace: Workspace) -> bool:
-    """Whether the import of a module with the file's own name is of another one.
+def _is_of_another_module(path: str, line: int, workspace: Workspace) -> bool:
+    """Whether the import of a module with the file's own name, in *line*, is of another one.
 
     A script without an ending is no module, nor is a launch file. In Python 2 ``import a`` in ``a/__init__.py`` is of ``a/a.py`` ("Intra-package References" in its tutorial).
     """
@@ -109,8 +110,25 @@ def _is_of_another_module(path: str, workspace: Workspace) -> bool:
         return True
     if "def generate_launch_description" in workspace.text(path):
         return True  # launch loads it by its path, which brings no directory
+    if _is_of_directory(path, line, workspace):
+        return True
     beside = f"{folder}/{folder.rpartition('/')[2]}.py"
     return name == "__init__.py" and beside in workspace.names and _is_python2(path, workspace)
+
+
+def _is_of_directory(path: str, line: int, workspace: Workspace) -> bool:
+    """Whether the import takes modules from the directory that the file lies in and is called like: ``from utils import paths`` in ``utils/utils.py``.
+
+    Without an ``__init__.py`` pylint does not take the directory for a package; Python does (PEP 420), where the file is imported from above.
+    """
+    folder, _, name = path.rpartition("/")
+    lines = workspace.text(path).split("\n")
+    taken = _TAKEN.match(lines[line - 1][:_LONGEST]) if line <= len(lines) else None
+    stem = name.removesuffix(".py")
+    if taken is None or taken[1] != stem or folder.rpartition("/")[2] != stem:
+        return False
+    modules = [word.split()[0] for word in taken[2].split(",") if word.strip()]
+    return bool(modules) and all(f"{folder}/{module}.py" in workspace.names for module in modules)
 
 
 def _is_python2(path: str, workspace: Workspace) -> bool:

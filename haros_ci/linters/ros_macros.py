@@ -201,7 +201,12 @@ CV_BRIDGE_VERSION_GTE MESSAGE_FILTERS_VERSION_GTE TF2_ROS_VERSION_GTE TF2_VERSIO
 RCLCPP_ACTION_VERSION_GTE RCLCPP_LIFECYCLE_VERSION_GTE RCLCPP_COMPONENTS_VERSION_GTE TF2_GEOMETRY_MSGS_VERSION_GTE
 RMW_VERSION_GTE CLASS_LOADER_VERSION_GTE URDF_VERSION_GTE LASER_GEOMETRY_VERSION_GTE ROSBAG2_CPP_VERSION_GTE
 HARDWARE_INTERFACE_VERSION_GTE CONTROLLER_INTERFACE_VERSION_GTE EIGEN_VERSION_AT_LEAST PCL_VERSION_COMPARE
+GLIB_CHECK_VERSION GST_CHECK_VERSION GTK_CHECK_VERSION
 """.split()
+
+#: Numbers of versions to compare with, ``PCL_VERSION >= PCL_VERSION_CALC(1, 10, 0)``: as 0, which is what an unknown version counts as, so that
+#: it is no older than any.
+VERSION_NUMBERS = "AV_VERSION_INT KERNEL_VERSION PCL_VERSION_CALC QT_VERSION_CHECK VTK_VERSION_CHECK".split()
 
 
 _MARK = re.compile(r"!?[dr]:[A-Z][A-Z0-9_]*")
@@ -265,6 +270,7 @@ def _defines() -> Iterable[tuple[str, str]]:
     yield from ((f"{name}(...)", "") for name in (*DECLARATIONS, *ATTRIBUTES))
     yield from ((name, "") for name in DECORATIONS)
     yield from ((f"{name}(...)", "1") for name in TRUE_TESTS)
+    yield from ((f"{name}(...)", "0") for name in VERSION_NUMBERS)
     yield from (
         *FUNCTIONS.items(),
         *LIMITS.items(),

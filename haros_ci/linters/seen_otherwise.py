@@ -28,7 +28,7 @@ _TESTED = re.compile(
     re.M,
 )
 #: A comment whose end is written over two lines; a line that goes on behind other white space than blanks; what is taken for an assembler's.
-_OVER_LINES = re.compile(r"\*(?:\\|\?\?/)[ \t\f\v]*\r?\n[ \t]*/")
+_OVER_LINES = re.compile(r"\*(?:(?:\\|\?\?/)[ \t\f\v]*\r?\n[ \t\f\v]*)+/")
 _ODD_SPLICE = re.compile(r"(?:\\|\?\?/)[ \t]*[\f\v][ \t\f\v]*\r?\n")
 _ASSEMBLER = re.compile(r"(?<!\w)(?:_asm\b|__asm\s*\{)")
 _CALL = re.compile(r"\b([A-Z]\w{3,80})[ \t]*\(")

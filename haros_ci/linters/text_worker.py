@@ -19,7 +19,7 @@ from typing import Any
 if not __package__:  # run as a script: haros_ci itself, also where it is not installed
     sys.path.append(str(Path(__file__).resolve().parents[2]))
 
-from haros_ci.linters.metrics_worker import CPU_LIMIT, begin, cpu_limit
+from haros_ci.linters.metrics_worker import begin, cpu_limit, seconds_for
 
 #: Rule, line and column (from 1, None or 0 for the whole file), message.
 Said = tuple[str, int | None, int | None, str]
@@ -92,11 +92,12 @@ TOOLS: dict[str, Callable[[Any], Check]] = {"yamllint": yamllint, "cmakelint": c
 
 def answer(check: Check, name: str, text: str) -> dict[str, Any]:
     """What the tool says of one text, or the problem that it has with it."""
+    limit = seconds_for(len(text))
     try:
-        with redirect_stdout(sys.stderr), cpu_limit(CPU_LIMIT):
+        with redirect_stdout(sys.stderr), cpu_limit(limit):
             return {"said": list(check(name, text))}
     except TimeoutError:
-        return {"problem": f"not done within {CPU_LIMIT:.0f} s"}
+        return {"problem": f"not done within {limit:.0f} s"}
     except (RecursionError, MemoryError):
         return {"problem": "nested too deeply"}
     except Exception as error:  # a fault of the tool costs one file, not the run

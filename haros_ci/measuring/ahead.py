@@ -14,7 +14,7 @@ from haros_ci.model.workspace import Store, Workspace
 from haros_ci.timing import stage
 
 if TYPE_CHECKING:
-    from haros_ci.analysis.inspection import Architectures
+    from haros_ci.analysis.architectures import Architectures
 
 #: What a store was given: the group, the path, the key and the value.
 Put = tuple[str, str, str, object]

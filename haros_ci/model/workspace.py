@@ -66,18 +66,30 @@ class Problem:
 
 
 @dataclass(frozen=True, slots=True)
+class FirstUse:
+    """A file that is as the base revision has it, at *origins*, and that changed files use as code, perhaps for the first time; the *problem* says how.
+
+    *directory* is the one around it that is never entered, "" where there is none.
+    """
+
+    problem: Problem
+    origins: tuple[str, ...]
+    directory: str = ""
+
+
+@dataclass(frozen=True, slots=True)
 class Hiding:
     """What a change does that would keep its files from being analysed, where a base revision is asked for.
 
     *warnings* are on markers that do not count, *notes* on changed files in directories that are never analysed, *unread* on changed files
-    that cannot be analysed, which become findings. *used* are files that are what they were and that changed ones use as code, perhaps for the first time. *later* are the paths of packages with a manifest that is not the base's: others of
+    that cannot be analysed, which become findings. *used* are files that are what they were and that changed ones use as code. *later* are the paths of packages with a manifest that is not the base's: others of
     their name come first.
     """
 
     warnings: tuple[Problem, ...] = ()
     notes: tuple[Problem, ...] = ()
     unread: tuple[Problem, ...] = ()
-    used: tuple[Problem, ...] = ()
+    used: tuple[FirstUse, ...] = ()
     later: tuple[str, ...] = ()
 
 

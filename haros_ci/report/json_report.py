@@ -12,7 +12,7 @@ with what stands for them)}, ``baseline`` {kind, source, available, message} or 
 subject, roles, also, occurrence, snippet, related [{path, line, column, message}], flow (as related, in order), graph,
 edges [[id, id]], fixes [{description, edits [{path, start [line, column], end, text} or {path, executable}]}],
 suppressions [{kind, justification}], copyOf {path, line} where the same finding in another copy of the text stands for it in what
-people read}. ``subject`` are the ROS names that it is about, ``roles`` what
+people read, shownAs: the sentence that they read where it is the result that stands for others}. ``subject`` are the ROS names that it is about, ``roles`` what
 they are; ``graph`` names the configuration through which the ``edges`` go, from id to id (``node:/talker``).
 A key without a value is null; lines and columns count as SARIF's do.
 """
@@ -36,8 +36,14 @@ from haros_ci.results.result import Notification, Related, Report, Result, Run, 
 SCHEMA_VERSION = 1
 
 
-def render(report: Report, copy_of: Mapping[int, Location] = MappingProxyType({})) -> str:
-    """The document; ASCII, with a final newline. *copy_of* has the place of what stands for a result, by its identity."""
+def render(
+    report: Report,
+    copy_of: Mapping[int, Location] = MappingProxyType({}),
+    shown: Mapping[tuple[str, Location], Result] = MappingProxyType({}),
+) -> str:
+    """The document; ASCII, with a final newline. *copy_of* has the place of what stands for a result, by its identity; *shown*
+    what people read of those that do, by rule and place.
+    """
     counts = summary.count(report)
     head: dict[str, Any] = {
         "schemaVersion": SCHEMA_VERSION,
@@ -69,7 +75,10 @@ def render(report: Report, copy_of: Mapping[int, Location] = MappingProxyType({}
         "runs": [_run(run) for run in sorted(report.runs, key=lambda run: (run.imported, run.tool.name))],
         "notifications": [_notification(note) for note in summary.notifications(report)],
     }
-    results = ",\n".join(_dumps(_result(result, copy_of.get(id(result)))) for result in report.results)
+    results = ",\n".join(
+        _dumps(_result(result, copy_of.get(id(result)), shown.get((result.full_id, result.location))))
+        for result in report.results
+    )
     return f'{_dumps(head)[:-1]},"results":[\n{results}\n]}}\n' if results else f'{_dumps(head)[:-1]},"results":[]}}\n'
 
 
@@ -77,7 +86,7 @@ def _dumps(value: object) -> str:
     return json.dumps(value, ensure_ascii=True, allow_nan=False)
 
 
-def _result(result: Result, original: Location | None) -> dict[str, Any]:
+def _result(result: Result, original: Location | None, shown: Result | None) -> dict[str, Any]:
     place, identity = result.location, result.identity
     return {
         "tool": result.tool,
@@ -107,6 +116,7 @@ def _result(result: Result, original: Location | None) -> dict[str, Any]:
         "fixes": [_fix(fix) for fix in result.fixes],
         "suppressions": [{"kind": s.kind, "justification": s.justification or None} for s in result.suppressions],
         "copyOf": {"path": original.path, "line": original.line} if original is not None else None,
+        "shownAs": plain(shown) if shown is not None and original is None else None,
     }
 
 

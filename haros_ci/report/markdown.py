@@ -11,6 +11,7 @@ from haros_ci.report.escape import markdown, markdown_code
 from haros_ci.report.gathered import gathered
 from haros_ci.report.message import plain, shorten
 from haros_ci.results.result import Notification, Report, Result
+from haros_ci.results.rule import Level
 from haros_ci.results.silence_words import sentences
 
 #: A comment on GitHub has at most so many characters; here bytes, which are never fewer.
@@ -87,13 +88,23 @@ def _coverage(report: Report, room: int) -> Iterator[str]:
 
 
 def _messages(report: Report, room: int) -> Iterator[str]:
-    notes = gathered(summary.notifications(report))
+    named = {*summary.given_up_on(report)}  # they stand above
+    notes = gathered(
+        note
+        for note in summary.notifications(report)
+        if note.level is Level.ERROR or _place_and_reason(note) not in named
+    )
     if not notes:
         return
     yield ""
     yield f"<details><summary>{summary.plural(len(notes), 'message')} of tools and configuration</summary>\n"
     yield from _fitting([_note(note) for note in notes[:MAX_TROUBLE]], len(notes), room, "message")
     yield "\n</details>"
+
+
+def _place_and_reason(note: Notification) -> tuple[str, str]:
+    """As ``summary.given_up_on`` names it."""
+    return (f"{note.path}:{note.line}" if note.line else f"{note.path}", note.message.rstrip("."))
 
 
 def _note(note: Notification) -> str:

@@ -8,15 +8,17 @@ from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from itertools import groupby
 
 from haros_ci.report import summary
+from haros_ci.report.entries import lines_to_add
 from haros_ci.report.escape import terminal
 from haros_ci.report.gathered import gathered
 from haros_ci.report.message import label, plain, shorten
 from haros_ci.report.source_lines import Reader, lines_of
-from haros_ci.results.result import BaselineState, Notification, Report, Result
+from haros_ci.results.result import BaselineState, Notification, Related, Report, Result
 from haros_ci.results.rule import Level
 from haros_ci.results.silence_words import counted
 
 MAX_STEPS = 12  # of one finding's flow
+MAX_LINES = 5  # of one file that a note names
 MAX_TROUBLE = 10  # of one tool and level; the rest is counted
 TAB = "    "
 RESET, BOLD, DIM = "\x1b[0m", "\x1b[1m", "\x1b[2m"
@@ -126,14 +128,32 @@ def _file(
                     yield paint(DIM, f"      why: {terminal(result.reason)}")
             if number is not None and rest[0] is here[0]:
                 yield from _frame(here, number, lines(here[0].location.path), paint, width)
+                yield from _added(here, number, lines(here[0].location.path), paint, width)
             for result in rest:
                 yield from _notes(result, paint)
 
 
 def _notes(result: Result, paint: Paint) -> Iterator[str]:
-    for near in result.related:
-        yield f"      {terminal(str(near.location))}: {paint(COLORS[Level.NOTE], 'note')}: {label(near)}"
-    yield from _flow(result, paint)
+    """The related places, what several of them say in succession once; then the flow, unless all of it is at the finding's own line."""
+    for words, group in groupby(result.related, label):
+        near, *more = group
+        place = terminal(str(near.location))
+        yield f"      {place}: {paint(COLORS[Level.NOTE], 'note')}: {words}{_elsewhere(near, more)}"
+    here = (result.location.path, result.location.line)
+    if any((step.location.path, step.location.line) != here for step in result.flow):
+        yield from _flow(result, paint)
+
+
+def _elsewhere(near: Related, more: Sequence[Related]) -> str:
+    """Where else the same is: by line in the same file, otherwise counted."""
+    places = {(other.location.path, other.location.line) for other in more}
+    places -= {(near.location.path, near.location.line)}
+    if not places:
+        return ""
+    if {path for path, _ in places} != {near.location.path} or len(places) > MAX_LINES:
+        return f"; and at {len(places)} more place{'s' if len(places) > 1 else ''}"
+    numbers = ", ".join(str(line) for _, line in sorted(places, key=lambda place: place[1] or 0))
+    return f"; and in line{'s' if len(places) > 1 else ''} {numbers}"
 
 
 def _flow(result: Result, paint: Paint) -> Iterator[str]:
@@ -164,6 +184,14 @@ def _frame(here: tuple[Result, ...], number: int, lines: list[str], paint: Paint
     if marks:
         worst = min((r.level for r in here), key=lambda level: level.rank)
         yield f"{paint(DIM, '       |')} {paint(COLORS[worst], marks)}"
+
+
+def _added(here: tuple[Result, ...], number: int, lines: list[str], paint: Paint, width: int) -> Iterator[str]:
+    """What is to be written below the line: it is the place of what a manifest lacks, not what is wrong."""
+    above = lines[number - 1] if 0 < number <= len(lines) else ""
+    indent = above[: len(above) - len(above.lstrip())]
+    for entry in lines_to_add(here):
+        yield f"{paint(DIM, '     + |')} {frame(indent + entry, (), max(width - 10, 20))[0]}"
 
 
 def _columns(result: Result) -> tuple[int, int]:

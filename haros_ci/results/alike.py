@@ -32,6 +32,10 @@ OF_NAMES = frozenset(
 )
 NEAR = 3
 
+#: Errors of one file that have one cause if they begin alike, up to the mark: a file that several nodes are given and that is not there, and a
+#: construct that is wrong in the same way at each of its places.
+OF_ONE_CAUSE = {"haros-ci:parameter-file-missing": ": ", "haros-ci:malformed-launch-file": "\n"}
+
 _WORD = re.compile(r"\w+")
 _TOKEN = re.compile(r"[\w./:-]*\w|[^\w\s]")
 
@@ -76,6 +80,8 @@ def _alike(indexes: Sequence[int], results: Sequence[Result]) -> Iterator[list[i
             continue
         if result.level is not Level.ERROR:
             by_shape[(_WORD.sub("_", result.message),)].append(found[0])
+        elif result.full_id in OF_ONE_CAUSE:
+            by_shape[(result.message.partition(OF_ONE_CAUSE[result.full_id])[0],)].append(found[0])
         elif result.subject:  # what follows the first semicolon is advice, and the configuration that shows it
             by_shape[(result.message.partition("; ")[0].rstrip("."), *result.subject)].append(found[0])
     found_near = _neighbours(by_line, results)
@@ -132,9 +138,9 @@ def _are_names(names: Sequence[str | None]) -> bool:
 
 
 def _only_other(one: Sequence[str], other: Sequence[str]) -> str | None:
-    """The element of *other* that *one* has not, if there is one and the rest is the same."""
-    pairs = [pair for pair in zip(one, other) if pair[0] != pair[1]]
-    return pairs[0][1] if len(one) == len(other) and len(pairs) == 1 else None
+    """The element of *other* that *one* has not, if there is one and the rest is the same; subjects are sorted, so it may stand at another place."""
+    added = sorted({*other} - {*one})
+    return added[0] if len(one) == len(other) and len(added) == len({*one} - {*other}) == 1 else None
 
 
 def _places(others: Sequence[Result], names: Sequence[str | None] | None) -> Iterator[Related]:

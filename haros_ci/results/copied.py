@@ -53,6 +53,12 @@ def copy_of(joined: Report) -> Mapping[int, Location]:
     return {id(copy): one.location for run in joined.runs for one in run.results for copy in one.copies}
 
 
+def standing_for_others(joined: Report) -> Mapping[tuple[str, Location], Result]:
+    """The results of *joined* that others are left to, by rule and place, with what people read of all of them."""
+    every = (result for run in joined.runs for result in run.results)
+    return {(result.full_id, result.location): result for result in every if result.copies}
+
+
 def _joined_run(run: Run, texts: _Texts) -> Run:
     if run.imported or run.tool.name == _COUNTED:
         return run

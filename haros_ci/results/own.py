@@ -70,7 +70,8 @@ FILE_NOT_ANALYSED = Rule(
         "in the base revision or the file is new. So is code under a name that is not analysed as code, where analysed files use it: C++ includes it "
         '(`#include "table.inc"`), CMake makes code of it (property LANGUAGE, a template such as `part.hpp.in`), Python runs it '
         "(`exec(open(...))`), or it lies in a hidden or otherwise left out directory that they name; Cython (`.pyx`) always. So is a submodule that "
-        "is new and not checked out. Give it the name of its language, make the file readable, split it, or leave it out by 'exclude' in "
+        "is new and not checked out. So is a command of CMake, at its line, by which other files may be compiled or installed as code: a flag, a property, a variable or a "
+        "form of an argument that haros-ci does not know to be harmless. Give it the name of its language, make the file readable, split it, or leave it out by 'exclude' in "
         "the project file of the base revision. A comment in the file does not silence this."
     ),
     precision="very-high",
@@ -171,8 +172,15 @@ def manifest_results(faults: Iterable[Problem]) -> tuple[Result, ...]:
 def unread_results(problems: Iterable[Problem]) -> tuple[Result, ...]:
     """One result for each file that a change has made what it is and that is not analysed, on the file as a whole."""
     return tuple(
-        _unanalysed(problem.path, f"this file cannot be analysed since this change: {_why(problem)}")
+        _unanalysed(problem.path, f"this {_kind(problem)} cannot be analysed since this change: {_why(problem)}")
         for problem in problems
+    )
+
+
+def step_results(problems: Iterable[Problem]) -> tuple[Result, ...]:
+    """One result for each command of a build file that a change brings and that no reader follows, at its line."""
+    return tuple(
+        _unanalysed(problem.path, f"since this change {problem.message}", problem.line) for problem in problems
     )
 
 
@@ -188,9 +196,13 @@ def unreadable_results(reasons: Mapping[str, tuple[str, str]]) -> tuple[Result, 
     return tuple(_unanalysed(path, f"{tool} {sentence}: {reason}") for path, (tool, reason) in reasons.items())
 
 
-def _unanalysed(path: str, message: str) -> Result:
-    """A result on a file as a whole that a change keeps from being analysed."""
-    return Result(TOOL, FILE_NOT_ANALYSED.id, FILE_NOT_ANALYSED.level, message, Location(path))
+def _unanalysed(path: str, message: str, line: int | None = None) -> Result:
+    """A result on a file as a whole that a change keeps from being analysed, or on the *line* that may do so to others."""
+    return Result(TOOL, FILE_NOT_ANALYSED.id, FILE_NOT_ANALYSED.level, message, Location(path, line))
+
+
+def _kind(problem: Problem) -> str:
+    return "directory" if "a submodule" in problem.message else "file"
 
 
 def _why(problem: Problem) -> str:

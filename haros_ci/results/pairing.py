@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TypeVar
 
 from haros_ci.results.assignment import assign
@@ -14,118 +14,27 @@ from haros_ci.results.comments import lines_of
 from haros_ci.results.fingerprint import message_template, quoted_names, text_hashes
 from haros_ci.results.known import ComparedFiles, KnownFinding, identity_of
 from haros_ci.results.line_map import line_mapper, words
+from haros_ci.results.moved import MovedCode
 from haros_ci.results.named_defects import OF_MISSING_NAMES, is_other_defect
+from haros_ci.results.passes import IN_FILE, MOVED, NAMED, NEAR, RENAMED, MatchPass
 from haros_ci.results.renaming import RenamingEvidence, pair_partly_mended, pair_renamed
 from haros_ci.results.result import Identity, Result
 
 _Seen = TypeVar("_Seen", Identity, KnownFinding)
 
-#: Lines that a mapped line may be off.
-NEAR = 3
 _KINSHIP = 0.6  # of the shorter line's words
 _REWRITTEN = 0.7  # of the longer line's words: with less in common, lines that are about other names are other lines
-
-
-@dataclass(frozen=True, slots=True)
-class _Pass:
-    """Pairs what agrees in all *letters*. *near* asks for a mapped line at most NEAR away, *gone* that the old file is,
-    *scoped* that the scope is not the whole file. *edited* asks that the old text is gone and the new one was not
-    there, and where the old line's place is known, for that place: an edited line has not moved, too. A place alone is no
-    evidence: a finding about another name in a line of another shape is another finding."""
-
-    letters: str
-    evidence: str
-    near: bool = False
-    edited: bool = False
-    gone: bool = False
-    scoped: bool = False
-
-    @property
-    def conditional(self) -> bool:
-        """Whether more than the key decides which known findings take part."""
-        return self.near or self.edited or self.scoped or "P" not in self.letters
-
-    @property
-    def anchor(self) -> str:
-        """The few letters that tell soonest what cannot be paired."""
-        if "W" in self.letters:
-            return "RW"
-        return "RT" if "T" in self.letters else "RM" if "M" in self.letters else "RPS"
-
-
-#: For findings that are about ROS names: those say which finding it is, wherever it stands.
-_NAMED = (
-    _Pass("RWPLST", "same ROS names at its mapped line"),
-    _Pass("RWPST", "same ROS names, text and scope"),
-    _Pass("RWPT", "same ROS names and text"),
-    _Pass("RWPL", "same ROS names at its mapped line; the line was edited"),
-    _Pass("RWPS", "same ROS names in the same scope; the line was edited", scoped=True),
-    _Pass("RWP", "same ROS names in the same file"),
-    _Pass("RWST", "moved: same ROS names, text and scope in another file"),
-    _Pass("RWN", "moved: same ROS names in a file of the same name"),
-    _Pass("RW", "moved: same ROS names in another file"),
-)
-_IN_FILE = (
-    _Pass("RPLSTX", "same text at its mapped line"),
-    _Pass("RPLSTM", "same text at its mapped line"),
-    _Pass("RPLST", "same text at its mapped line"),
-    _Pass("RPSTXBA", "same text and scope"),
-    _Pass("RPSTMBA", "same text and scope"),
-    _Pass("RPSTMB", "same text and scope"),
-    _Pass("RPSTMA", "same text and scope"),
-    _Pass("RPSTX", "same text and scope"),
-    _Pass("RPSTM", "same text and scope"),
-    _Pass("RPSTB", "same text and scope"),
-    _Pass("RPSTA", "same text and scope"),
-    _Pass("RPST", "same text and scope", scoped=True),
-    _Pass("RPLTM", "same text at its mapped line, in another scope"),
-    _Pass("RPLT", "same text at its mapped line, in another scope"),
-    _Pass("RPTMBA", "same text between the same lines"),
-    _Pass("RPTMB", "same text after the same lines"),
-    _Pass("RPTMA", "same text before the same lines"),
-    _Pass("RPTB", "same text after the same lines"),
-    _Pass("RPTA", "same text before the same lines"),
-    _Pass("RPT", "same text near its mapped line", near=True),
-    _Pass("RPSME", "same message on the file's first line"),
-    _Pass("RPSMBA", "same message between the same lines; the line was edited", edited=True),
-    _Pass("RPSML", "same message at its mapped line; the line was edited", edited=True),
-    _Pass("RPSMB", "same message after the same lines; the line was edited", edited=True),
-    _Pass("RPSMA", "same message before the same lines; the line was edited", edited=True),
-    _Pass("RPSM", "same message near its mapped line; the line was edited", near=True, edited=True),
-    _Pass("RPSMH", "same message and same shape of the line; names were edited", edited=True, scoped=True),
-    _Pass("RPSV", "same metric of the same scope; the line was edited", edited=True),
-    _Pass("RPMBA", "same message between the same lines; scope and line were edited", edited=True),
-    _Pass("RPML", "same message at its mapped line; scope and line were edited", edited=True),
-    _Pass("RPMB", "same message after the same lines; scope and line were edited", edited=True),
-    _Pass("RPMA", "same message before the same lines; scope and line were edited", edited=True),
-    _Pass("RPM", "same message near its mapped line; scope and line were edited", near=True, edited=True),
-    _Pass("RPSH", "same rule and same shape of the line; names were edited", edited=True, scoped=True),
-    _Pass("RPSBA", "same rule between the same lines; the line was edited", edited=True),
-    _Pass("RPSL", "same rule at its mapped line; the line was edited", edited=True),
-    _Pass("RPSMU", "same message in the same scope; the baseline does not tell the text"),
-    _Pass("RPMU", "same message in the same file; the baseline does not tell the text"),
-)
-_MOVED = (
-    _Pass("RSTMBA", "moved: same text and scope in another file"),
-    _Pass("RSTMN", "moved: same text and scope in another file", gone=True),
-    _Pass("RSTM", "moved: same text and scope in another file", scoped=True),
-    _Pass("RST", "moved: same text and scope in another file", scoped=True),
-    _Pass("RTMBA", "moved: same text between the same lines in another file"),
-    _Pass("RTMB", "moved: same text after the same lines in another file", gone=True),
-    _Pass("RTMA", "moved: same text before the same lines in another file", gone=True),
-)
-_RENAMED = (_Pass("RNSM", "same message in a file of the same name; the old file is gone", gone=True),)
 
 
 def pair(new: Sequence[Result], known: Sequence[KnownFinding], sides: ComparedFiles) -> tuple[MatchedPair, ...]:
     """Pair results with known findings. No two pairs share a side; copies of a known finding stay unpaired."""
     matcher = _Matcher(new, known, sides)
     matcher.run_named()
-    matcher.run(_IN_FILE)
-    matcher.run(_MOVED)
+    matcher.run(IN_FILE)
+    matcher.run(MOVED)
     if matcher.follow_renames():
-        matcher.run(_IN_FILE)
-    matcher.run(_RENAMED)
+        matcher.run(IN_FILE)
+    matcher.run(RENAMED)
     return tuple(sorted(matcher.pairs, key=lambda found: found.new))
 
 
@@ -134,6 +43,7 @@ class _Matcher:
 
     def __init__(self, new: Sequence[Result], known: Sequence[KnownFinding], sides: ComparedFiles) -> None:
         self.sides = sides
+        self.moves = MovedCode(sides)
         self.known = known
         self.results = new
         self.pairs: list[MatchedPair] = []
@@ -199,7 +109,7 @@ class _Matcher:
         defect in its line is another finding."""
         if not any(thing.names for thing in self.old):
             return
-        self.run(_NAMED)
+        self.run(NAMED)
         self.take(pair_partly_mended(self.new, self.old, self.results, self.known))
         evidence = RenamingEvidence(self.results, self.known, self.sides, self.place_of)
         self.take(pair_renamed(self.sides, self.new, self.old, evidence))
@@ -212,7 +122,7 @@ class _Matcher:
         self.new = _without(self.new, {pair.new for pair in pairs})
         self.old = _without(self.old, {pair.old for pair in pairs})
 
-    def run(self, passes: Iterable[_Pass]) -> None:
+    def run(self, passes: Iterable[MatchPass]) -> None:
         pools: dict[str, tuple[list[MatchCandidate], list[MatchCandidate]]] = {}
         for step in passes:
             if step.anchor not in pools:
@@ -233,7 +143,10 @@ class _Matcher:
             pools = {key: (_without(o, taken_old), _without(n, taken_new)) for key, (o, n) in pools.items()}
 
     def of_pass(
-        self, step: _Pass, olds: Mapping[Key, Sequence[MatchCandidate]], news: Mapping[Key, Sequence[MatchCandidate]]
+        self,
+        step: MatchPass,
+        olds: Mapping[Key, Sequence[MatchCandidate]],
+        news: Mapping[Key, Sequence[MatchCandidate]],
     ) -> Iterator[MatchedPair]:
         """What one pass pairs, of findings that have the same features."""
         limit = NEAR if step.near else None
@@ -242,10 +155,20 @@ class _Matcher:
             if step.edited:
                 here, there = list(filter(self.is_fresh, here)), list(filter(self.is_gone, there))
             for a, b in assign([thing.place for thing in here], [thing.place for thing in there], limit):
-                if not step.edited or self.is_edited(step, there[b], here[a]):
+                if self.is_evident(step, there[b], here[a]):
                     yield MatchedPair(here[a].index, there[b].index, step.evidence)
 
-    def is_edited(self, step: _Pass, old: MatchCandidate, new: MatchCandidate) -> bool:
+    def is_evident(self, step: MatchPass, old: MatchCandidate, new: MatchCandidate) -> bool:
+        """Whether the texts of both sides bear out what *step* takes the two for: an edited line, or moved code."""
+        if "P" not in step.letters and old.path != new.path:
+            known = self.known[old.index]
+            at, place = (known.path, known.line), (new.path, new.line)
+            if old.names and known.graph and known.graph == self.results[new.index].graph:
+                return True  # the same entities of the same system: wherever it is reported, it is the same
+            return self.moves.is_move(at, place, old.scope, with_code="T" in step.letters and not old.names)
+        return not step.edited or self.is_edited(step, old, new)
+
+    def is_edited(self, step: MatchPass, old: MatchCandidate, new: MatchCandidate) -> bool:
         """Whether the line of *new* may be that of *old*, edited."""
         return (
             (not step.near or self.akin(old, new)) and not self.is_rewritten(old, new) and not self.is_other(old, new)
@@ -257,7 +180,7 @@ class _Matcher:
         base = None if self.sides.base is None else self.sides.base(known.path)
         return is_other_defect(result.full_id, known.message, result.message, base, lambda: self.sides.head(new.path))
 
-    def fits(self, thing: MatchCandidate, step: _Pass) -> bool:
+    def fits(self, thing: MatchCandidate, step: MatchPass) -> bool:
         """Whether a known finding may take part in a pass."""
         if (step.near and thing.line is None) or (step.scoped and not thing.scope):
             return False

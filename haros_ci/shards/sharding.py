@@ -10,7 +10,8 @@ from collections.abc import Iterable, Iterator
 from dataclasses import replace
 
 from haros_ci import __version__
-from haros_ci.analysis.inspection import Architectures, inspected, is_inspected
+from haros_ci.analysis.architectures import Architectures
+from haros_ci.analysis.inspection import inspected, is_inspected
 from haros_ci.baselines import at_base, settled
 from haros_ci.config.digests import settings_digests
 from haros_ci.config.selection import Selection

@@ -18,7 +18,7 @@ from haros_ci.workspace.assemble import Content, Skipped, SymbolicLink, assemble
 from haros_ci.workspace.excludes import Excludes
 from haros_ci.workspace.files import FileTree, TooLarge, read_head, read_regular
 from haros_ci.workspace.hiding import TrackedChange
-from haros_ci.workspace.language import HEAD, script_language, suffix_of
+from haros_ci.workspace.language import HEAD, is_kept_copy, script_language, suffix_of
 from haros_ci.workspace.listing import list_files
 from haros_ci.workspace.past import Past
 from haros_ci.workspace.selection import Also, AnalysedPaths, CandidatePath, select
@@ -179,7 +179,8 @@ class _Disk:
         place = self._tree.place(candidate.path)
         language = candidate.language
         if language is None:
-            if not suffix_of(candidate.path.rpartition("/")[2]) or _may_be_script(place):
+            name = candidate.path.rpartition("/")[2]
+            if not is_kept_copy(name) and (not suffix_of(name) or _may_be_script(place)):
                 language = script_language(read_head(place, HEAD))
             language = language or candidate.fallback
             if language is None:

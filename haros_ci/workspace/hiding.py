@@ -10,12 +10,12 @@ from functools import cached_property
 from pathlib import Path
 
 from haros_ci.model.package import OTHER, Package
-from haros_ci.model.workspace import Hiding, Problem, Workspace
-from haros_ci.workspace.compiler_flags import has_flags, may_have_flags
+from haros_ci.model.workspace import FirstUse, Hiding, Problem, Workspace
 from haros_ci.workspace.excludes import Excludes
-from haros_ci.workspace.files import FileTree, TooLarge, decode
+from haros_ci.workspace.files import FileTree
 from haros_ci.workspace.language import language_of, suffix_of
 from haros_ci.workspace.listing import PathListing
+from haros_ci.workspace.noted_files import MAX_NAMED, named, noted
 from haros_ci.workspace.object_name import object_name
 from haros_ci.workspace.past import Past
 from haros_ci.workspace.selection import (
@@ -26,16 +26,13 @@ from haros_ci.workspace.selection import (
     is_never_source,
     output_directories,
 )
-from haros_ci.workspace.used_code import CODE, UsedCode
+from haros_ci.workspace.used_code import UsedCode, is_opaque
+from haros_ci.workspace.used_names import CODE
 from haros_ci.workspace.views import doubles
 
-#: Files that a message names; the rest is counted.
-MAX_NAMED = 10
 #: Kinds of files that tools' own directories hold (``.github``): there they are named only if the directory is new.
 _DATA = frozenset(("yaml", "xml", "dockerfile", "shell", "setup"))
 _UNTOLD = frozenset(("markdown", OTHER))
-#: Bytes of a file of settings that are read; one with more may hold anything.
-_LARGEST = 1 << 20
 _MANIFEST = "package.xml"
 
 
@@ -118,8 +115,7 @@ class TrackedChange:
             warnings=(*self._warnings(candidates, scope), *self._enclosing(candidates, workspace)),
             notes=(
                 *self._notes(sorted(aside.keys() - {*reached}), scope),
-                *self._unused_code({path: used.language_by_text(path) for path in others if path not in code}),
-                *self._flags(others),
+                *noted(others, code, used, self.has_changed, self._tree),
             ),
             unread=(*workspace.hiding.unread, *unread),
             used=tuple(self._first_used(used, analysed, scope, excludes)),
@@ -129,13 +125,30 @@ class TrackedChange:
 
     def _first_used(
         self, used: UsedCode, analysed: Mapping[str, str], scope: AnalysedPaths, excludes: Excludes
-    ) -> Iterator[Problem]:
-        """The files that are as they were, and that are code by what changed files say of them."""
+    ) -> Iterator[FirstUse]:
+        """The files that are as they were, here or elsewhere, and that are code by what changed files say of them."""
         names = used.names_in(path for path in analysed if self.is_known and self.has_changed(path))
+        words = names | {word for name in names for word in name.split(".")}
+        outputs = output_directories(self.listed, self) if names else frozenset()
         for path, name in sorted(self.tracked.items()) if names else ():
-            if path.rpartition("/")[2] in names and self.base.get(path) == name and analysed.get(path) not in CODE:
-                if scope.given(path) is not None and not _excluded(path, excludes) and (why := used.why(path)):
-                    yield Problem(path, f"skipped: {why}")
+            file = path.rpartition("/")[2]
+            directory = self._never_analysed(path, outputs)
+            stem = file.partition(".")[0]
+            is_named = file in names or ((directory or is_opaque(path)) and stem in words)
+            is_named |= bool(directory) and directory.rpartition("/")[2] in words
+            if not is_named or analysed.get(path) in CODE or scope.given(path) is None or _excluded(path, excludes):
+                continue
+            if self.base.get(path) == name:
+                origins: tuple[str, ...] = (path,)
+            elif path not in self.base and not self.has_changed(path):
+                origins = tuple(old for old, it in self.base.items() if it == name)[:MAX_NAMED]
+            else:
+                continue
+            if directory and self._is_code(path, is_old=True) and used.reaches(path, directory):
+                why = f"it lies in {directory}, which is never analysed"
+                yield FirstUse(Problem(path, f"skipped: {why}"), origins, directory)
+            elif not directory and (why := used.why(path)):
+                yield FirstUse(Problem(path, f"skipped: {why}"), origins)
 
     def _is_new(self, package: Package) -> bool:
         """Whether the change brings the package: a manifest that is not in the base revision, or differs there."""
@@ -183,7 +196,7 @@ class TrackedChange:
             if around := next((p for p in above if p in packages and _manifest(p) in self.tracked), None):
                 swallowed.setdefault(_manifest(around), []).append(directory)
         for path, inner in swallowed.items():
-            text = f"the change makes a package around {_plural(len(inner), 'package')} of the base revision ({_named(inner)})"
+            text = f"the change makes a package around {_plural(len(inner), 'package')} of the base revision ({named(inner)})"
             yield Problem(
                 path,
                 f"{text}: colcon and catkin do not look below a package, so they are not built or checked as packages",
@@ -212,15 +225,18 @@ class TrackedChange:
                 yield Problem(path, f"{text}; check it out (git submodule update --init)")
         if aside:
             verb = "lies" if len(aside) == 1 else "lie"
-            named = _named(aside)
             yield Problem(
-                ".", f"{_plural(len(aside), 'changed file')} {verb} in directories that are never analysed: {named}"
+                ".",
+                f"{_plural(len(aside), 'changed file')} {verb} in directories that are never analysed: {named(aside)}",
             )
 
     def _new_submodules(self, scope: AnalysedPaths) -> Iterator[Problem]:
         """One for each submodule that was none: what it brings, perhaps in the place of files that were here, is not there to be analysed."""
         if self.is_known:
-            text = "skipped: a submodule that is not checked out; check it out (git submodule update --init)"
+            text = (
+                "skipped: a submodule that is not checked out; check it out (git submodule update --init), or add it to .gitmodules first "
+                "if that does not name it"
+            )
             yield from (Problem(path, text) for path in self._away(scope) if path not in self.base)
 
     def _away(self, scope: AnalysedPaths) -> list[str]:
@@ -247,31 +263,6 @@ class TrackedChange:
             if hidden and self._is_code(path, hidden in known) and not _excluded(path, excludes):
                 aside[path] = hidden
         return aside
-
-    def _unused_code(self, languages: Mapping[str, str]) -> Iterator[Problem]:
-        """One for all changed files that hold code of one of these *languages*, by path, under other names, and which nothing is seen to use."""
-        for language in ("C++", "Python"):
-            if changed := [path for path, found in languages.items() if found == language and self.has_changed(path)]:
-                verb = "holds" if len(changed) == 1 else "hold"
-                text = f"{_plural(len(changed), 'changed file')} {verb} {language} under a name that is not analysed as {language}"
-                yield Problem(changed[0], f"{text}: {_named(changed)}")
-
-    def _flags(self, others: Iterable[str]) -> Iterator[Problem]:
-        """One for all changed files among *others* that set flags of compilers, and that nothing here reads."""
-        named = [path for path in others if may_have_flags(path.rpartition("/")[2]) and self.has_changed(path)]
-        if found := [path for path in named if self._has_flags(path)]:
-            verb = "sets" if len(found) == 1 else "set"
-            text = f"{_plural(len(found), 'changed file')} {verb} flags of compilers, which no tool is given"
-            yield Problem(found[0], f"{text}: {_named(found)}")
-
-    def _has_flags(self, path: str) -> bool:
-        try:
-            data = self._tree.read(path, _LARGEST)
-        except TooLarge:
-            return True
-        except OSError:
-            return False
-        return data is not None and has_flags(decode(data))
 
     def _stray_launch_files(self, used: UsedCode, analysed: Collection[str]) -> Iterator[Problem]:
         for path in sorted(analysed):
@@ -327,12 +318,7 @@ def _excluded(path: str, excludes: Excludes) -> bool:
 
 
 def _files(paths: list[str]) -> str:
-    return f"{_plural(len(paths), 'file')} ({_named(paths)})"
-
-
-def _named(paths: list[str]) -> str:
-    more = len(paths) - MAX_NAMED
-    return ", ".join([*paths[:MAX_NAMED], *([f"and {more:,} more"] if more > 0 else [])])
+    return f"{_plural(len(paths), 'file')} ({named(paths)})"
 
 
 def _plural(number: int, noun: str) -> str:

@@ -65,7 +65,11 @@ _TABLE: tuple[tuple[str, str, str], ...] = (
         r"Copyright.{0,80}\b(?:Free Software Foundation|NetBSD Foundation|Todd C\. Miller)",
         "getopt",
     ),
-    (r"matplotlibcpp\.h", r"github\.com/lava/matplotlib-cpp", "matplotlibcpp"),
+    (
+        r"matplotlibcpp\.h",
+        r"github\.com/lava/matplotlib-cpp|\bPython headers must be included before any system headers\b",
+        "matplotlibcpp",
+    ),
     (r"mongoose\.[ch]", r"Copyright.{0,40}\b(?:Cesanta|Sergey Lyubka)", "mongoose"),
     (
         r"(?:serial|v8stdint|win|unix|list_ports_\w+)\.(?:h|cc)",

@@ -46,6 +46,9 @@ _SHEBANG = re.compile(
 )
 
 
+_KEPT = re.compile(r".+(?:\.(?:bak|backup|old|orig|rej|sav|save|swp|tmp)[\d_-]{0,20}|~)", re.IGNORECASE)
+
+
 def language_of(name: str) -> str | None:
     """The language that the file name *name* (without directories) tells; None if it tells none."""
     if name in NAMES:
@@ -64,6 +67,11 @@ def suffix_of(name: str) -> str:
     """What follows the last dot, in lower case; "" if there is no dot but perhaps a leading one."""
     stem, _, suffix = name.rpartition(".")
     return suffix.lower() if stem else ""
+
+
+def is_kept_copy(name: str) -> bool:
+    """Whether a file called *name* is a copy that somebody, an editor or git has kept of another one (``node.py.bak``): no source, whatever it begins with."""
+    return _KEPT.fullmatch(name) is not None
 
 
 def script_language(head: bytes) -> str | None:

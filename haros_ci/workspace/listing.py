@@ -89,6 +89,8 @@ def _list_repository(
             below_it = root / mount / path
             part = (is_changed and path in found.tracked) or below_it == change
             _list_repository(listing, root, below_it, [mount + path], is_changed=part, change=change)
+        elif path in found.tracked and not os.path.lexists(f"{root}/{mount}{path}"):
+            listing.empty.append(mount + path)  # as in an export, or where somebody has removed the empty directory
         else:
             before = len(listing.paths)
             _walk(listing, root, mount + path)

@@ -12,7 +12,7 @@ from haros_ci.model.workspace import Problem, Workspace
 from haros_ci.workspace.assemble import Content, SymbolicLink
 from haros_ci.workspace.discover import too_large, unusable_name
 from haros_ci.workspace.git import REGULAR, BaselineUnavailable, GitError, Repository, run_git
-from haros_ci.workspace.language import HEAD, script_language, suffix_of
+from haros_ci.workspace.language import HEAD, is_kept_copy, script_language, suffix_of
 from haros_ci.workspace.selection import CandidatePath
 
 #: Bytes of files that are in memory at a time, unless a single file is larger.
@@ -105,7 +105,8 @@ def _read_batch(repository: Repository, tree: dict[str, Blob], candidates: list[
         start = end + len(size) + 1
         data = bytes(answer[start : start + int(size)])
         start += int(size) + 1
-        language = candidate.language or script_language(data[:HEAD]) or candidate.fallback
+        asked = None if is_kept_copy(candidate.path.rpartition("/")[2]) else script_language(data[:HEAD])
+        language = candidate.language or asked or candidate.fallback
         if language is not None:
             yield Content(candidate.path, language, data)
 

@@ -13,11 +13,24 @@ from fnmatch import fnmatchcase
 
 from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Workspace
+from haros_ci.workspace.cmake_plain import spelled_out
 from haros_ci.workspace.code_text import has_body, has_lines_of_python, is_cpp, is_python
 from haros_ci.workspace.language import language_of, suffix_of
+from haros_ci.workspace.used_names import (
+    CODE,
+    PIECE,
+    STRING,
+    TEMPLATES,
+    compiled,
+    filled,
+    included,
+    named,
+    of_extensions,
+    perhaps_included,
+    programs,
+    taken,
+)
 
-#: What is put behind the name of a file of which a build makes one: CMake's, empy's, Jinja's.
-TEMPLATES = frozenset(("in", "em", "template", "tmpl", "tpl", "j2", "jinja", "jinja2"))
 #: The beginning of a launch file in XML, and in YAML, whatever its name is.
 _LAUNCH = re.compile(r"(?:\s|<\?[^>]{0,1000}>|<!DOCTYPE[^<>\[]{0,1000}>|<!--(?:[^-]|-(?!->))*-->)*<launch[\s/>]")
 _LAUNCH_YAML = re.compile(
@@ -27,39 +40,13 @@ _LAUNCH_YAML = re.compile(
 _UNKNOWN = {"pyx": "Cython", "pxi": "Cython", "pyc": "Python that is compiled"} | dict.fromkeys(
     ("egg", "whl", "pyz"), "an archive of Python"
 )
+_UNKNOWN |= dict.fromkeys(("cppm", "ixx", "ccm", "cxxm", "c++m", "mpp"), "a module of C++") | {"mm": "Objective-C++"}
 _REFERRING = frozenset(("cpp", "python", "cmake", "launch", "setup", "package"))
 #: What a manifest says of packages, by their names, and in comments: no file is reached by it.
 _NAMES_PACKAGES = re.compile(r"<!--.*?(?:-->|\Z)|<(?:\w{0,30}depend|name)\b[^<>]{0,400}>[^<>]{0,400}<", re.DOTALL)
-CODE = frozenset(("cpp", "python"))
 
-#: What may stand between the words of a directive, once lines are spliced.
-_GAP = r"(?:[ \t\f\v]|/\*(?:[^*\n]|\*(?!/)){0,1000}\*/)*"
-_HASH = rf"^{_GAP}(?:#|%:|\?\?=){_GAP}"
-_INCLUDE = re.compile(rf"{_HASH}(?:include|import|embed)[^\"<\n]{{0,1200}}[\"<]([^\">\n]{{1,5000}})", re.M)
-_DEFINE = re.compile(rf"{_HASH}define[^\"<\n]{{0,200}}[\"<]([^\">\n]{{1,1000}})[\">]", re.M)
-#: An #include that a macro makes: then any name in the file may be what it makes.
-_COMPUTED = re.compile(rf"{_HASH}include(?:_next)?{_GAP}[A-Za-z_]\w*", re.M)
-_SPLICE = re.compile(r"(?:\\|\?\?/)[ \t]*\r?\n")
-_COMMENT = re.compile(r"/\*[^*]*(?:\*(?!/)[^*]*)*\*/")
-_PIECE = re.compile(r"[\w.+-]{1,255}")
 
-#: What makes CMake compile, or include, a file whatever its name is.
-_AS_CODE = re.compile(
-    r"(?<![\w])LANGUAGE(?:\s|#[^\n]{0,200}(?:\n|\]\]))+[\"\[=]{0,9}(?:C|CXX|CUDA|OBJC|OBJCXX)\b"
-    r"|(?<![\w-])(?:-x\s*;?\s*\"?c\b|-xc|--?include\b|--?imacros\b|--language|/FI|@[\w./${}-]{1,200})"
-)
-_FILLED = re.compile(
-    r"\b(?:configure_file|em_expand|em_expand_template|expand_template)\s*\(([^()]{1,2000})\)|GENERATE\s+OUTPUT\s+([^()]{1,2000})",
-    re.I,
-)
-_PROGRAMS = re.compile(r"\bcatkin_install_python\s*\(([^()]{1,20000})\)|\bPROGRAMS\b([^()]{1,20000})", re.I)
-_COMMAND = re.compile(r"\b([A-Za-z_]\w{0,100})[ \t]*\(([^()]{1,20000})\)")
-_IDLE = frozenset(
-    "install message project ament_export_include_directories include_directories set_directory_properties".split()
-)
 _WILD = re.compile(r"[*?\[]")
-_WORD = re.compile(r"[^\s\"';()]{1,1000}")
-
 #: What runs the text of a file as Python.
 _RUNS = re.compile(
     r"(?:(?<![.\w])|\bbuiltins\.)(?:exec|execfile|compile|eval)\s*\("
@@ -90,7 +77,6 @@ _BEGINS_CPP = re.compile(
 )
 _IDENTIFIER = re.compile(r"\b[A-Za-z_]\w{0,100}\b")
 _BOUND = re.compile(r"\b([A-Za-z_]\w{0,100})[ \t]*(?::[^=\n]{0,100})?=(?!=)|\bas[ \t]+([A-Za-z_]\w{0,100})")
-_STRING = re.compile(r"[\"']([^\"'\n]{1,1000})[\"']")
 _HEAD = 512
 #: Suffixes of other languages with bodies in braces.
 _LIKE_CPP = frozenset(
@@ -122,23 +108,28 @@ class UsedCode:
         text = self._text(path)
         if suffix := _UNKNOWN.get(suffix_of(name)):
             return f"it is {suffix}, which is not analysed"
-        if name in self._of("cpp", _included) or (
-            _may_be_cpp(text, language) and name in self._of("cpp", _perhaps_included)
-        ):
+        if name in self._of("cpp", included) or (_may_be_cpp(text, language) and self._is_perhaps_included(name)):
             return "C++ includes it, and no C++ file is called so"
         return self._why_built(path, name, text, language) or self._why_run(name, text, language)
 
+    def _is_perhaps_included(self, name: str) -> bool:
+        """Whether a macro may stand for the file called *name* in an #include; what defines it may be CMake."""
+        perhaps = self._of("cpp", perhaps_included)
+        return name in perhaps or (bool(perhaps) and name in self._of("cmake", named))
+
     def _why_built(self, path: str, name: str, text: str, language: str | None) -> str:
         """Why CMake makes code of it, or a program."""
-        if _may_be_cpp(text, language) and self._is_among(name, "cmake", _compiled):
+        if _may_be_cpp(text, language) and self._is_among(name, "cmake", compiled):
             return "CMake has it compiled, and no C++ file is called so"
-        made = _template_of(name, text) if name in self._of("cmake", _filled) else ""
+        if name in self._of("python", of_extensions) and _may_be_cpp(text, language):
+            return "setup.py has it compiled, and no C++ file is called so"
+        made = _template_of(name, text) if name in self._of("cmake", filled) else ""
         if made == "Python" or (made and _may_be_cpp(text, language)):
             return f"a build makes {made} of it"
-        if is_cpp(text) and _may_be_cpp(text, language) and self._is_among(name, "cmake", _taken):
+        if is_cpp(text) and _may_be_cpp(text, language) and self._is_among(name, "cmake", taken):
             return "CMake takes it, it holds functions of C++, and no C++ file is called so"
         is_program = language is None and text and _OTHERS.match(text) is None
-        if is_program and self._is_among(name, "cmake", _programs):
+        if is_program and self._is_among(name, "cmake", programs):
             return "CMake installs it as a program, and neither its name nor its first line tells the language"
         return ""
 
@@ -161,6 +152,15 @@ class UsedCode:
             return f"it holds Python, {user} names it, and no Python file is called so"
         return ""
 
+    def is_used(self, path: str, directory: str) -> bool:
+        """Whether the file at *path* is used as code here, below *directory* if that is never entered."""
+        if directory:
+            return self.reaches(path, directory)
+        if is_opaque(path):
+            stem = re.compile(rf"\b{re.escape(path.rpartition('/')[2].partition('.')[0])}\b")
+            return any(stem.search(self._workspace.text(file.path)) for file in self._files(_REFERRING))
+        return bool(self.why(path))
+
     def _user_of(self, name: str, is_reconfigure: bool) -> str:
         """The path of a file that names the file called *name*, and that may have it run; "" without one."""
         place = re.compile(rf"(?<![\w.-]){re.escape(name)}(?![\w-])")
@@ -168,8 +168,8 @@ class UsedCode:
             source = self._workspace.text(file.path)
             if name in source and place.search(source) and (file.language != "python" or _MAY_RUN.search(source)):
                 return file.path
-        is_taken = self._is_among(name, "cmake", _programs)
-        is_taken |= not is_reconfigure and self._is_among(name, "cmake", _taken)
+        is_taken = self._is_among(name, "cmake", programs)
+        is_taken |= not is_reconfigure and self._is_among(name, "cmake", taken)
         return "CMakeLists.txt" if is_taken else ""
 
     def reaches(self, path: str, directory: str) -> bool:
@@ -178,7 +178,10 @@ class UsedCode:
             return True
         name = directory.rpartition("/")[2]
         stem = path.rpartition("/")[2].partition(".")[0]
-        place = re.compile(rf"(?<![\w.-]){re.escape(name)}(?![\w-])")
+        place = re.compile(
+            rf"(?<![\w.-]){re.escape(name)}(?![\w-])|^[ \t]*(?:from|import)[ \t][^\n]{{0,500}}?\.{re.escape(name)}(?![\w-])",
+            re.M,
+        )
         file = re.compile(rf"(?<!\w){re.escape(stem)}(?!\w)")
         is_named = False
         for source in self._files(_REFERRING):
@@ -218,7 +221,7 @@ class UsedCode:
 
     def names_in(self, paths: Iterable[str]) -> frozenset[str]:
         """The words in the texts of *paths* that may be names of files."""
-        return frozenset(name for path in paths for name in _PIECE.findall(self._workspace.text(path)))
+        return frozenset(name for path in paths for name in PIECE.findall(self._workspace.text(path)))
 
     def _files(self, languages: Collection[str]) -> Iterator[SourceFile]:
         return (file for file in self._workspace.files if file.language in languages)
@@ -227,6 +230,8 @@ class UsedCode:
         key = f"{language} {find.__name__}"
         if key not in self._names:
             texts = (self._workspace.text(file.path) for file in self._files((language,)))
+            if language == "cmake":
+                texts = (form for text in texts for form in (text, spelled_out(text)))
             found = (name for text in texts for name in find(text))
             self._names[key] = frozenset(name.rpartition("/")[2] for name in found)
         return self._names[key]
@@ -241,22 +246,9 @@ class UsedCode:
         return name in names or any(_WILD.search(pattern) and fnmatchcase(name, pattern) for pattern in names)
 
 
-def _included(text: str) -> Iterator[str]:
-    if "\\" in text or "??/" in text:
-        text = _SPLICE.sub("", text)
-    yield from _INCLUDE.findall(text)
-    if "/*" in text:  # where comments of several lines stand between the words of a directive
-        text = _COMMENT.sub(" ", text)
-        yield from _INCLUDE.findall(text)
-    if _COMPUTED.search(text):
-        yield from _DEFINE.findall(text)
-
-
-def _perhaps_included(text: str) -> Iterable[str]:
-    """Any word, where a macro makes the name of what is included."""
-    if "\\" in text or "??/" in text:
-        text = _SPLICE.sub("", text)
-    return _PIECE.findall(text) if _COMPUTED.search(text) else ()
+def is_opaque(path: str) -> bool:
+    """Whether the file at *path* is code by its name, of a kind that nothing here analyses."""
+    return suffix_of(path.rpartition("/")[2]) in _UNKNOWN
 
 
 def _may_be_cpp(text: str, language: str | None) -> bool:
@@ -279,39 +271,10 @@ def _template_of(name: str, text: str) -> str:
     return "C++" if language == "cpp" and has_body(text) else ""
 
 
-def _compiled(text: str) -> Iterable[str]:
-    return (word for word in _WORD.findall(text) if "." in word or "/" in word) if _AS_CODE.search(text) else ()
-
-
-def _filled(text: str) -> Iterator[str]:
-    for pair in _FILLED.findall(text):
-        words = _WORD.findall(" ".join(pair))
-        made = [language_of(word.rpartition("/")[2]) for word in words]
-        for word in words:
-            stem, _, suffix = word.rpartition("/")[2].rpartition(".")
-            if CODE & {*made} or (suffix.lower() in TEMPLATES and language_of(stem) in CODE):
-                yield word
-
-
-def _taken(text: str) -> Iterator[str]:
-    """What commands are given that may copy, read or compile it under another name: all but those that install or say something."""
-    for name, words in _COMMAND.findall(text):
-        if name.lower() not in _IDLE:
-            yield from (word for word in _WORD.findall(words) if "." in word)
-
-
-def _programs(text: str) -> Iterator[str]:
-    for one, other in _PROGRAMS.findall(text):
-        yield from _WORD.findall(one or other)
-    for name, words in _COMMAND.findall(text):
-        if name.lower() == "install" and "_EXECUTE" in words:
-            yield from (word for word in _WORD.findall(words) if "." in word or "/" in word)
-
-
 def _interpreted(text: str) -> Iterator[str]:
     """The first name of a file behind an interpreter; ``-m`` and ``-c`` give it none."""
     for rest in _GIVEN.findall(text):
-        words = _PIECE.findall(rest)
+        words = PIECE.findall(rest)
         name = next((word for word in words if "." in word.strip(".") or word in ("-m", "-c")), "")
         if name not in ("", "-m", "-c"):
             yield name
@@ -329,7 +292,7 @@ def _loaded(text: str) -> Iterator[str]:
             bound.setdefault(names[0] or names[1], []).append(line)
     seen: set[str] = set()
     for _ in range(_STEPS):
-        yield from (name for line in run for name in _STRING.findall(line))
+        yield from (name for line in run for name in STRING.findall(line))
         names = {name for line in run for name in _IDENTIFIER.findall(line) if name in bound} - seen
         seen |= names
         run = [line for name in sorted(names) for line in bound[name]]

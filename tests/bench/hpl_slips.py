@@ -16,7 +16,7 @@ from pathlib import Path
 from random import Random
 
 from haros_ci.analysis.architecture import varied
-from haros_ci.analysis.inspection import project_of
+from haros_ci.analysis.architectures import project_of
 from haros_ci.behaviour.declared import Stated, in_file, in_project
 from haros_ci.behaviour.tree import Field, Literal, Place, parts
 from haros_ci.checking.run import run_on_project

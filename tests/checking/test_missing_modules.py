@@ -45,6 +45,6 @@ CFG = "[install]\ninstall_scripts=$base/lib/demo\n[develop]\nscript_dir=$base/li
 def test_advice(tmp_path: Path, module: str, file: str, advice: str) -> None:
     files = {"package.xml": MANIFEST, "setup.py": SETUP.format(module=module), "setup.cfg": CFG, "resource/demo": ""}
     write(tmp_path, {**files, "demo/__init__.py": "", file: "def main():\n    pass\n"})
-    run = haros("check", ".", "--output=json", cwd=tmp_path)
+    run = haros("check", ".", "--output=json", "--profile=architecture", cwd=tmp_path)
     found = [r["message"] for r in json.loads(run.stdout)["results"] if r["rule"] == "python-package-incomplete"]
     assert len(found) == 1 and found[0].endswith(advice.removesuffix(".") + "."), found

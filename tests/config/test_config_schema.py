@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import json
 import re
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -220,8 +221,14 @@ def test_invalid_in_both(text: str) -> None:
 
 def faults(text: str) -> list[str]:
     """What a JSON Schema validator says of *text*."""
-    jsonschema = pytest.importorskip("jsonschema")
-    jsonschema.Draft202012Validator.check_schema(SCHEMA)
     top = parse(text.encode(), "f").top
     data = None if top is None else plain(top)
-    return [error.message for error in jsonschema.Draft202012Validator(SCHEMA).iter_errors(data)]
+    return [error.message for error in validator().iter_errors(data)]
+
+
+@cache
+def validator() -> Any:
+    """One for all texts; the schema itself is checked first."""
+    jsonschema = pytest.importorskip("jsonschema")
+    jsonschema.Draft202012Validator.check_schema(SCHEMA)
+    return jsonschema.Draft202012Validator(SCHEMA)

@@ -363,6 +363,11 @@ BASE = {
     A: TEXT,
     "src/a.py": "A = 1\n",
     "CMakeLists.txt": LIST,
+    ".parts/part.py": PART,
+    "src/node_modules/tool.py": PART,
+    "extra/lift.cpp": LIFT,
+    "extra/COLCON_IGNORE": "",
+    "src/fast.pyx": PART,
 }
 COMPILED = LIST + "set_source_files_properties(src/lift.txt PROPERTIES LANGUAGE CXX)\nadd_library(b src/lift.txt)\n"
 
@@ -382,6 +387,12 @@ def used(head: dict[str, str], more: dict[str, str], trap: Trap) -> list[str]:
         ({A: '#include "lift.inc"\n' + TEXT}, "src/lift.inc"),
         ({"CMakeLists.txt": COMPILED}, "src/lift.txt"),
         ({"src/a.py": "A = exec(open('part.txt').read())\n"}, "src/part.txt"),
+        ({"CMakeLists.txt": LIST + "add_compile_options(-specs=flags)\n"}, "CMakeLists.txt"),
+        ({A: '#include "copy.inc"\n' + TEXT, "src/copy.inc": LIFT}, "src/copy.inc"),
+        ({"src/a.py": "sys.path.insert(0, '.parts')\nimport part\n"}, ".parts/part.py"),
+        ({"src/a.py": "from src.node_modules import tool\n"}, "src/node_modules/tool.py"),
+        ({"CMakeLists.txt": LIST + "add_library(c extra/lift.cpp)\n"}, "extra/lift.cpp"),
+        ({"src/a.py": "import pyximport\nimport fast\n"}, "src/fast.pyx"),
     ],
 )
 def test_a_file_of_the_base_that_a_change_uses_first(head: dict[str, str], path: str, trap: Trap) -> None:
@@ -398,6 +409,16 @@ def test_a_file_of_the_base_that_a_change_uses_first(head: dict[str, str], path:
         ({A: "// not lift.inc\n" + TEXT}, {}),
         ({"CMakeLists.txt": LIST + "install(FILES src/lift.inc src/part.txt DESTINATION share/a)\n"}, {}),
         ({"readme.md": "lift.inc, part.txt\n"}, {}),
+        ({A: '#include "moved.inc"\n', "src/moved.inc": LIFT}, {A: '#include "lift.inc"\n'}),
+        ({"src/copy.inc": LIFT}, {}),
+        ({"src/b.py": "import part\nA = 1\n"}, {"src/a.py": "sys.path.insert(0, '.parts')\nimport part\n"}),
+        ({"src/a.py": "A = 'extra words'\n"}, {}),
+        ({"src/a.py": "lift = 1\nfrom part import x\n"}, {}),
+        (
+            {"CMakeLists.txt": LIST + "add_library(c extra/lift.cpp b.cpp)\n"},
+            {"CMakeLists.txt": LIST + "add_library(c extra/lift.cpp)\n"},
+        ),
+        ({"src/b.py": "import fast\n"}, {"src/a.py": "import fast\n"}),
     ],
 )
 def test_a_file_of_the_base_that_was_used_or_still_is_not(
@@ -411,6 +432,8 @@ def test_a_file_of_the_base_that_was_used_or_still_is_not(
     [
         (A, "#include PART\n" + TEXT, "'#include PART'"),
         (A, "TP_ARGS(int g(int x) { return x; })\n" + TEXT, "code in the arguments of TP_ARGS"),
+        ("launch/a.launch.xml.in", "<launch/>\n", "made into data of ROS by a build"),
+        ("CMakeLists.txt", LIST + "file(STRINGS list.txt A)\n", "file(… STRINGS list.txt A) may compile, make or run"),
         ("colcon.pkg", '{"cmake-args": ["-DCMAKE_CXX_FLAGS=-DX"]}\n', "1 changed file sets flags of compilers"),
     ],
 )

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from functools import cache
 from typing import Any
 
 import pytest
@@ -70,11 +71,19 @@ def first(found: Any) -> list[str]:
     return names(nodes[0]) if nodes else []
 
 
+def texts(what: str) -> Any:
+    before, code = CPP[what]
+    return cpp_files(main(code, before.replace("ADV(", "nh.advertise<std_msgs::String>(")))
+
+
+@cache
+def followed(what: str) -> Any:
+    return follow(texts(what))
+
+
 @pytest.mark.parametrize("what", CPP)
 def test_what_is_made_before_a_hostile_part_is_there(what: str) -> None:
-    before, code = CPP[what]
-    text = main(code, before.replace("ADV(", "nh.advertise<std_msgs::String>("))
-    found = follow(cpp_files(text))
+    found = followed(what)
     assert "/a" in first(found)
     assert {problem.message for problem in found.problems} <= {LARGE} | {
         problem.message for problem in found.problems if problem.line is not None
@@ -169,9 +178,7 @@ def test_a_text_of_many_choices_is_not_multiplied_out(monkeypatch: pytest.Monkey
 
 
 def test_the_same_twice() -> None:
-    before, code = CPP["exponential calls"]
-    files = cpp_files(main(code, before.replace("ADV(", "nh.advertise<std_msgs::String>(")))
-    assert follow(files) == follow(files)
+    assert follow(texts("exponential calls")) == followed("exponential calls")
 
 
 def test_what_is_nested_too_deeply_is_named() -> None:

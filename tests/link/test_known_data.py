@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections import Counter
 
-import pytest
+from every import every
 
 from haros_ci.model.architecture import KINDS, Endpoint
 from haros_ci.systems.known import load
@@ -15,14 +15,10 @@ from haros_ci.systems.known.load import known_packages, load_known, parse
 from haros_ci.systems.known.shape import DISTRIBUTIONS, read_package
 
 FILES = {package: (load._HERE / f"{package}.yaml").read_text(encoding="utf-8") for package in known_packages()}
-NODES = [
-    pytest.param(node, id=f"{package}:{node.type}")
-    for package in known_packages()
-    for node in (load_known(package) or {}).values()
-]
+NODES = [node for package in known_packages() for node in (load_known(package) or {}).values()]
 
 
-@pytest.mark.parametrize("package", FILES)
+@every("package", FILES)
 def test_a_file_has_its_form(package: str) -> None:
     data = parse(FILES[package])
     assert isinstance(data, dict)
@@ -32,7 +28,7 @@ def test_a_file_has_its_form(package: str) -> None:
     assert FILES[package].startswith("# SPDX-License-Identifier: Apache-2.0\n")
 
 
-@pytest.mark.parametrize("package", FILES)
+@every("package", FILES)
 def test_keys_of_a_file_stand_once(package: str) -> None:
     keys = [line for line in FILES[package].splitlines() if line[:1] not in ("", " ", "#")]
     assert keys == sorted(set(keys), key=keys.index)
@@ -42,14 +38,14 @@ def test_there_are_enough() -> None:
     assert len(NODES) >= 60
 
 
-@pytest.mark.parametrize("node", NODES)
+@every("node", NODES, ids=lambda node: f"{node.package}:{node.type}")
 def test_a_node_says_where_it_is_described(node: KnownNode) -> None:
     assert node.source.startswith("https://")
     if node.nodelet:
         assert node.type.partition("/")[0] == node.package
 
 
-@pytest.mark.parametrize("node", NODES)
+@every("node", NODES, ids=lambda node: f"{node.package}:{node.type}")
 def test_a_node_starts_without_anything(node: KnownNode) -> None:
     for distribution in (None, *DISTRIBUTIONS):
         ends = instantiate(

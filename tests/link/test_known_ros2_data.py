@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections import Counter
 from functools import partial
 
-import pytest
+from every import every
 
 from haros_ci.model.architecture import KINDS, Endpoint
 from haros_ci.systems.known import load
@@ -20,14 +20,11 @@ FILES = {
     package: (load._HERE / "ros2" / f"{package}.yaml").read_text(encoding="utf-8") for package in known_packages(2)
 }
 NODES = [
-    pytest.param(node, id=f"{package}:{name}")
-    for package in known_packages(2)
-    for name, node in (load_known(package, 2) or {}).items()
-    if name == node.type
+    node for package in known_packages(2) for name, node in (load_known(package, 2) or {}).items() if name == node.type
 ]
 
 
-@pytest.mark.parametrize("package", FILES)
+@every("package", FILES)
 def test_a_file_has_its_form(package: str) -> None:
     data = parse(FILES[package])
     assert isinstance(data, dict)
@@ -38,7 +35,7 @@ def test_a_file_has_its_form(package: str) -> None:
     assert FILES[package].startswith("# SPDX-License-Identifier: Apache-2.0\n")
 
 
-@pytest.mark.parametrize("package", FILES)
+@every("package", FILES)
 def test_keys_of_a_file_stand_once(package: str) -> None:
     keys = [line for line in FILES[package].splitlines() if line[:1] not in ("", " ", "#")]
     assert keys == list(dict.fromkeys(keys))
@@ -57,7 +54,7 @@ def test_the_versions_are_apart() -> None:
     assert load_known("move_base", 2) is None and load_known("nav2_amcl") is None
 
 
-@pytest.mark.parametrize("node", NODES)
+@every("node", NODES, ids=lambda node: f"{node.package}:{node.type}")
 def test_a_node_says_where_it_is_described(node: KnownNode) -> None:
     assert node.source.startswith("https://")
     assert not node.nodelet
@@ -65,7 +62,7 @@ def test_a_node_says_where_it_is_described(node: KnownNode) -> None:
         assert node.type.partition("/")[0] == node.package
 
 
-@pytest.mark.parametrize("node", NODES)
+@every("node", NODES, ids=lambda node: f"{node.package}:{node.type}")
 def test_a_node_starts_without_anything(node: KnownNode) -> None:
     start = partial(
         instantiate,

@@ -571,7 +571,10 @@ def test_several_files_are_one_configuration_with_scopes_of_their_own() -> None:
 @pytest.mark.parametrize(
     ("text", "message"),
     [
-        ("<launch>", f"{SUB}:1: not well-formed XML: no element found; fix it"),
+        (
+            "<launch>",
+            f"{SUB}:1: the launch file is not well-formed XML: no element found, while <launch> of line 1 is open; correct it",
+        ),
         ("\n<robot/>", f"{SUB}:2: not a launch file: its root is <robot>, not <launch>"),
     ],
 )

@@ -88,7 +88,10 @@ def test_a_map_becomes_its_leaves() -> None:
         (param("1.5", "int"), "<param name='p'>: '1.5' is no int; correct it"),
         (param("x", "double"), "<param name='p'>: 'x' is no double; correct it"),
         (param("yes", "bool"), "<param name='p'>: 'yes' is no bool; correct it"),
-        (param("[1", "yaml"), "<param name='p'>: not valid YAML: did not find expected ',' or ']'; correct it"),
+        (
+            param("[1", "yaml"),
+            "<param name='p'>: not valid YAML: did not find expected ',' or ']' (a bracket is not closed, or a comma is missing); correct it",
+        ),
         (param("", "yaml"), "'p' has no value (null): roslaunch cannot set it; give it one"),
         (
             param("{/a: 1}", "yaml"),

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import pytest
+from every import every
 
 from haros_ci.linters.catalogue import TOOLS, UNSERVED, rules_of
 from haros_ci.registry import check_rules
@@ -67,7 +68,7 @@ def test_the_counts_are_those_of_haros() -> None:
     assert (len(set(CPPLINT)), len(set(CPPCHECK)), len(set(PYLINT)), len(set(COMMON))) == (92, 30, 5, 28)
 
 
-@pytest.mark.parametrize("identifier", IDS)
+@every("identifier", IDS)
 def test_every_id_is_served_or_explained(identifier: str) -> None:
     served = identifier in by_alias()
     assert served != (identifier in UNSERVED)

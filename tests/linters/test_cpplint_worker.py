@@ -13,9 +13,12 @@ import sys
 from pathlib import Path
 
 import pytest
+from linter_samples import workspace
 
-from haros_ci.linters import cpplint_worker
+from haros_ci.linters import cpplint as adapter
+from haros_ci.linters import cpplint_worker, metrics_worker
 from haros_ci.linters.cpplint_worker import Quick, needed_text
+from haros_ci.linters.linter import Batch, GaveUp, LintOptions, Output
 
 cpplint = pytest.importorskip("cpplint")
 
@@ -115,3 +118,45 @@ def test_files_get_the_same_words(suffix: str, tmp_path: Path, monkeypatch: pyte
     plain = _words(False, path, monkeypatch)
     assert plain.count("\n") > 100
     assert _words(True, path, monkeypatch) == plain
+
+
+class _Tool:
+    """A tool that stays with a file called slow for good."""
+
+    def __init__(self) -> None:
+        self.begun: list[str] = []
+        self.is_backed_up = False
+
+    def ProcessFile(self, name: str, level: int) -> None:  # cpplint's name
+        self.begun.append(name)
+        self.is_backed_up = True
+        while name.endswith("slow.cpp"):
+            pass
+        self.is_backed_up = False
+
+    def _RestoreFilters(self) -> None:  # cpplint's name
+        self.is_backed_up = False
+
+
+def test_a_file_that_takes_too_long_is_left_and_named(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr(metrics_worker, "CPU_LEAST", 0.02)
+    tool = _Tool()
+    cpplint_worker.bound(tool)
+    for name in ("./a.cpp", "./slow.cpp", "./b.cpp"):
+        tool.ProcessFile(name, 0)
+        assert not tool.is_backed_up
+    assert tool.begun == ["./a.cpp", "./slow.cpp", "./b.cpp"]
+    assert capsys.readouterr().out == "\nStopped processing ./slow.cpp\n"
+
+
+def test_what_was_left_has_no_answer(tmp_path: Path) -> None:
+    space = workspace(tmp_path, {"a.cpp": "int a;\n", "b.cpp": "int b;\n"})
+    batch = Batch(space, space.files, LintOptions(), tmp_path)
+    output = b"Done processing ./a.cpp\n\nStopped processing ./b.cpp\n"
+    assert list(adapter.parse(Output(output, b"", 1), batch)) == [
+        GaveUp("b.cpp", "it takes more time than other files of its size")
+    ]
+    with pytest.raises(ValueError, match=r"no answer for b\.cpp"):
+        list(adapter.parse(Output(b"Done processing ./a.cpp\nStopped processing ./c.cpp\n", b"", 1), batch))

@@ -107,6 +107,11 @@ def test_a_file_that_takes_too_long_is_a_problem(monkeypatch: pytest.MonkeyPatch
     assert "not measured" in metrics_worker._answer(endless, str(tmp_path), "a")["problem"]
 
 
+def test_a_small_file_has_little_time_and_a_large_one_no_more_than_the_limit() -> None:
+    times = [metrics_worker.seconds_for(size) for size in (0, 100_000, 2_000_000)]
+    assert times == [4, 10, metrics_worker.CPU_LIMIT]
+
+
 @pytest.mark.parametrize("error", [RecursionError, MemoryError, IndexError, UnicodeDecodeError])
 def test_a_failing_parser_is_a_problem(error: type[Exception], tmp_path: Path) -> None:
     def failing(source: bytes) -> dict[str, Any]:

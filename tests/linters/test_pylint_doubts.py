@@ -483,12 +483,24 @@ def test_objects_that_are_made_without_their_constructor(text: str, expected: bo
 ARRAYS = "import numpy as np\n\n\ndef f(names, m):\n    at = np.unravel_index(np.argmax(m), m.shape)\n    print({})\n"
 
 
-@pytest.mark.parametrize("use", ["names[at[0]]", "f'{names[at[0]]} of {len(names)}'", "names[np.argmax(m)]", "m[at]"])
+@pytest.mark.parametrize(
+    "use",
+    [
+        "names[at[0]]",
+        "f'{names[at[0]]} of {len(names)}'",
+        "names[np.argmax(m)]",
+        "m[at]",
+        "at[0, 2]",
+        "np.dot(m, m)[0, 1:]",
+    ],
+)
 def test_elements_of_arrays_as_an_index(use: str) -> None:
     assert is_refuted("invalid-sequence-index", 6, 10, ARRAYS.format(use))
 
 
-@pytest.mark.parametrize("text", ["names['a']", "names[1.5]", "at[names]", "names[:]", "names", "[at]"])
+@pytest.mark.parametrize(
+    "text", ["names['a']", "names[1.5]", "at[names]", "names[0, 2]", "at['a']", "names[:]", "names", "[at]"]
+)
 def test_what_is_no_index_of_an_array(text: str) -> None:
     assert not is_refuted("invalid-sequence-index", 6, 10, ARRAYS.format(text))
     assert not is_refuted("invalid-sequence-index", 6, 10, ARRAYS.format("names[at[0]]").replace("numpy", "other"))

@@ -492,6 +492,11 @@ def imports_another(root: Path, files: dict[str, str], path: str) -> bool:
         ("a/bin/one", {"a/bin/one": "#!/usr/bin/env python3\n" + OF_ITSELF}),
         ("a/src/one/__init__.py", {"a/src/one/__init__.py": OF_ITSELF, **WITH_ITS_NAME}),
         ("a/launch/one.py", {"a/launch/one.py": OF_ITSELF + "def generate_launch_description():\n    return one()\n"}),
+        ("a/one/one.py", {"a/one/one.py": "from one import other\n", "a/one/other.py": ""}),
+        (
+            "a/one/one.py",
+            {"a/one/one.py": "from one import (other as o, more)\n", "a/one/other.py": "", "a/one/more.py": ""},
+        ),
     ],
 )
 def test_an_import_of_another_module_of_that_name(tmp_path: Path, path: str, files: dict[str, str]) -> None:
@@ -505,6 +510,10 @@ def test_an_import_of_another_module_of_that_name(tmp_path: Path, path: str, fil
         ("a/src/one/__init__.py", {"a/src/one/__init__.py": OF_ITSELF, "a/src/one/other.py": ""}),
         ("a/src/one/__init__.py", {"a/src/one/__init__.py": OF_ITSELF, "a/src/one/one.py": ""}),
         ("a/src/one/one.py", {"a/src/one/one.py": OF_ITSELF, **WITH_ITS_NAME}),
+        ("a/one/one.py", {"a/one/one.py": "from one import other\n"}),
+        ("a/one/one.py", {"a/one/one.py": "from one import other, more\n", "a/one/other.py": ""}),
+        ("a/two/one.py", {"a/two/one.py": "from one import other\n", "a/two/other.py": ""}),
+        ("a/one/one.py", {"a/one/one.py": "import one\n", "a/one/other.py": ""}),
     ],
 )
 def test_an_import_of_itself(tmp_path: Path, path: str, files: dict[str, str]) -> None:

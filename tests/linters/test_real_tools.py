@@ -173,6 +173,8 @@ MACROS = [
     "class ROBOT_PUBLIC A { RCLCPP_SMART_PTR_DEFINITIONS(A) ROBOT_LOCAL void f(); };\n",
     "#if RCLCPP_VERSION_GTE(1, 2, 3)\nint a;\n#else\nint b;\n#endif\n",
     "#if ROS_VERSION_MINIMUM(1, 14, 0)\nint a;\n#endif\n",
+    "#if PCL_VERSION < PCL_VERSION_CALC(1, 10, 0)\nint a(\n#else\nint b;\n#endif\n",
+    "#if QT_VERSION >= QT_VERSION_CHECK(5, 0, 0)\nint a;\n#else\nint b(\n#endif\n",
     "class W : public QWidget { Q_OBJECT\npublic Q_SLOTS:\n void f(); signals: void g(); };\n",
     "TEST(A, b) { EXPECT_TRUE(true); }\n",
     "void f(V v) { BOOST_FOREACH(int a, v) { g(a); } }\n",

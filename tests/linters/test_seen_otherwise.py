@@ -28,6 +28,8 @@ SEEN |= {
     f"/* why *\\\n/ {CODE} /* */\n": "end is written over two lines",
     f"/* why *\\ \r\n/ {CODE} /* */\n": "end is written over two lines",
     f"/* why *??/\n/ {CODE} /* */\n": "end is written over two lines",
+    f"/* why *\\\n\\\n/ {CODE} /* */\n": "end is written over two lines",
+    f"/* why *\\\f\n\\ \n\\\r\n/ {CODE} /* */\n": "end is written over two lines",
     '#inc\\\f\nlude "part.glsl"\n': "form feed",
     "struct _asm { static int & pick() { int a = 1; return a; } };\n": "_asm",
     "int & _asm() { int a = 1; return a; }\n": "_asm",

@@ -57,6 +57,7 @@ def run(root: Path, files: dict[str, str], needs: dict[str, tuple[str, ...]]) ->
 @pytest.fixture(autouse=True)
 def short(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(process, "STALL", 1.0)
+    monkeypatch.setattr(process, "_IMPATIENCE", (1,))
 
 
 def test_one_file_is_left_out_and_the_others_are_analysed(tmp_path: Path) -> None:
@@ -90,6 +91,15 @@ def test_the_search_ends(tmp_path: Path) -> None:
     assert done.results == () and len(linter.asked) == 4
     lost = sorted(note.message.partition(": ")[2] for note in done.notifications)
     assert lost == ["f0.py", "f1.py", "f2.py", "f3.py, f4.py, f5.py and 2 more"]
+
+
+def test_the_more_files_stall_the_less_time_the_next_one_has(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(process, "_IMPATIENCE", (1, 3, 6, 12))
+    done, _ = run(tmp_path, {f"f{number}.py": "hang" for number in range(4)}, {})
+    times = [
+        message.partition(" after ")[2].partition(" s ")[0] for message in sorted(n.message for n in done.notifications)
+    ]
+    assert sorted(map(float, times)) == pytest.approx([1 / 12, 1 / 6, 1 / 3, 1], rel=0.01)
 
 
 @pytest.mark.parametrize(

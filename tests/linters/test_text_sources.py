@@ -11,7 +11,7 @@ from __future__ import annotations
 import hashlib
 from pathlib import Path
 
-import pytest
+from every import every
 
 from haros_ci.linters.catalogue import rules_of
 from haros_ci.linters.catalogue.clang_tidy_texts import TEXTS
@@ -27,7 +27,7 @@ def test_every_text_has_a_row_and_every_row_a_text() -> None:
     assert [row[0] for row in ROWS] == RULES
 
 
-@pytest.mark.parametrize(("rule", "digest", "source"), ROWS, ids=[row[0] for row in ROWS])
+@every(("rule", "digest", "source"), ROWS, ids=lambda row: row[0])
 def test_the_text_is_the_one_that_was_held_to_its_source(rule: str, digest: str, source: str) -> None:
     """A changed text is held to the tool anew: then its row is ``rule, the digest that this test expects, what was looked at``."""
     assert digest == _digest(rule) and source.strip()

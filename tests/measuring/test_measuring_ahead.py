@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 from commandline import write
 
-from haros_ci.analysis.inspection import Architectures
+from haros_ci.analysis.architectures import Architectures
 from haros_ci.config.settings import Settings
 from haros_ci.measuring.ahead import measured_meanwhile
 from haros_ci.measuring.measures import measure

@@ -150,3 +150,17 @@ def test_files_given_up_on_are_named_with_their_reasons() -> None:
     assert "Not analysed in full: architecture on 6 files." in head
     assert "launch/4.launch:3</code>: it includes" in head and "launch/5.launch" not in head
     assert "- and 1 more file of architecture" in head and "<b>" not in said
+
+
+def test_what_stands_above_is_not_said_again() -> None:
+    one = Notification(Level.NOTE, "there is no function f; define it.", "architecture", "a.launch.py", 1)
+    page = html.unescape(html.unescape(markdown.render(replace(PLAIN, notifications=(one,)))))
+    assert page.count("there is no function f") == 1
+    others = (
+        replace(one, level=Level.ERROR),  # trouble is shown among the messages, too
+        replace(one, line=2),  # another reason for the same file
+        Notification(Level.NOTE, "a note of no file", "architecture"),
+    )
+    for other in others:
+        page = html.unescape(html.unescape(markdown.render(replace(PLAIN, notifications=(other, one)))))
+        assert other.message.rstrip(".") in page.partition("of tools and configuration")[2], other

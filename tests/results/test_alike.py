@@ -58,6 +58,29 @@ def test_what_they_are_about_is_named_where_sentences_differ() -> None:
     assert [place.message for place in whole.related[1:]] == ["rospy is idle", "tf is idle"]
 
 
+@pytest.mark.parametrize(
+    ("first", "others", "named"),
+    [
+        (("demo", "librealsense"), [("demo", "tf")], ", of tf"),
+        (
+            ("aa", "demo"),
+            [("demo", "tf"), ("bb", "demo")],
+            ", of tf and bb",
+        ),  # sorted, so the package changes its place
+        (("demo", "tf"), [("aa", "demo")], ", of aa"),
+        (("demo", "tf"), [("aa", "other")], ""),
+        (("demo", "tf"), [("demo", "tf")], ""),
+        (("demo",), [("demo", "tf")], ""),
+    ],
+)
+def test_what_another_is_about_whatever_its_place(
+    first: tuple[str, ...], others: list[tuple[str, ...]], named: str
+) -> None:
+    rest = [replace(lacking("x"), message=f"{subject} is idle", subject=subject) for subject in others]
+    (one,) = joined([replace(lacking("y"), subject=first), *rest])
+    assert one.message.endswith(f"; and {len(others)} more like it{named}")
+
+
 def test_many_are_counted() -> None:
     (one,) = joined([unused(f"n{number}", number) for number in range(1, 10)])
     assert f"n{NAMED + 1} and 3 more (lines 2, 3, 4, 5, 6 and 3 more)" in one.message
@@ -166,4 +189,43 @@ def test_names_that_are_not_there_on_neighbouring_lines() -> None:
     ],
 )
 def test_names_that_have_causes_of_their_own(results: list[Result]) -> None:
+    assert joined(results) == tuple(results)
+
+
+def absent(node: str, line: int, path: str = "config/a.yaml", rule: str = "parameter-file-missing") -> Result:
+    message = (
+        f"the parameter file {path} does not exist: launch prints a warning and starts {node} without these parameters."
+    )
+    return Result("haros-ci", rule, Level.ERROR, message, Location("a.launch.py", line), subject=(path, node))
+
+
+def test_a_file_that_several_nodes_lack_is_one_cause() -> None:
+    (one,) = joined([absent("/planner", 3), absent("/controller", 9), absent("/behaviors", 12)])
+    assert one.message.endswith("without these parameters; and the same of /controller and /behaviors (lines 9 and 12)")
+    assert [copy.location.line for copy in one.copies] == [9, 12]
+
+
+def test_a_mistake_at_each_node_of_a_launch_file_is_one_cause() -> None:
+    wrong = Result(
+        "haros-ci",
+        "malformed-launch-file",
+        Level.ERROR,
+        "<node> has no attribute 'executable'; write exec.",
+        Location("a.xml", 3),
+    )
+    (one,) = joined([wrong, replace(wrong, location=Location("a.xml", 7))])
+    assert one.message == "<node> has no attribute 'executable'; write exec; and 1 more like it (line 7)"
+
+
+@pytest.mark.parametrize(
+    "results",
+    [
+        [absent("/planner", 3), absent("/planner", 9, "config/b.yaml")],
+        [absent("/planner", 3), replace(absent("/controller", 9), location=Location("b.launch.py", 9))],
+        [absent("/planner", 3), absent("/controller", 9, rule="missing-launch-file")],
+        [absent("/planner", 3), replace(absent("/controller", 9), level=Level.NOTE)],
+        [absent("/planner", 3, rule="malformed-launch-file"), absent("/controller", 9, rule="malformed-launch-file")],
+    ],
+)
+def test_other_errors_stay_apart(results: list[Result]) -> None:
     assert joined(results) == tuple(results)

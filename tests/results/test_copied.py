@@ -82,6 +82,8 @@ def test_programs_have_each_copy(robots: Path) -> None:
         for n in ("two", "three")
     }
     assert not any("the same in" in str(result["message"]) for result in (first, *copies))
+    assert "; and the same in 2 copies (walker_three" in str(first["shownAs"])
+    assert [copy["shownAs"] for copy in copies] == [None, None]
     for option in ("--sarif-for=github", "--sarif-for=archive"):
         assert len(found(robots, option, output="sarif")) == 3
     assert len(json.loads(haros("check", ".", "--output=gitlab", cwd=robots).stdout)) == 3

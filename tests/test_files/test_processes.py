@@ -50,27 +50,50 @@ def all_gone(pids: list[int]) -> bool:
     return False
 
 
-@pytest.mark.parametrize(
-    ("end", "sent"),
-    [
-        ("", None),
-        ("raise ValueError", None),
-        ("sys.exit(3)", None),
-        (WAIT, signal.SIGINT),
-        (WAIT, signal.SIGTERM),
-        (WAIT, signal.SIGKILL),
-        ("os._exit(1)", None),
-    ],
-)
-def test_none_is_left(end: str, sent: int | None, tmp_path: Path) -> None:
-    command = [sys.executable, "-c", SCRIPT.format(end=end), str(tmp_path / "ready")]
+#: How a run of tests ends: what the script does at its end, and the signal that it gets.
+ENDS: dict[str, tuple[str, int | None]] = {
+    "at its end": ("", None),
+    "by an exception": ("raise ValueError", None),
+    "by sys.exit": ("sys.exit(3)", None),
+    "by SIGINT": (WAIT, signal.SIGINT),
+    "by SIGTERM": (WAIT, signal.SIGTERM),
+    "by SIGKILL": (WAIT, signal.SIGKILL),
+    "by os._exit": ("os._exit(1)", None),
+}
+
+
+@pytest.fixture(scope="module")
+def ended(tmp_path_factory: pytest.TempPathFactory) -> dict[str, tuple[list[int], bool]]:
+    """For all ends, which take their seconds at the same time: the processes that were started, and whether all of them ran before the signal."""
+    scratch = tmp_path_factory.mktemp("ready")
     env = {**os.environ, "PYTHONPATH": str(ROOT)}
-    with subprocess.Popen(command, env=env, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True) as process:
-        assert process.stdout is not None
-        pids = [int(word) for word in process.stdout.readline().split()]
-        assert len(pids) == 3 and (not end or sent is None or all(map(is_there, pids)))
-        if sent is not None:
-            process.send_signal(sent)
+    runs = {
+        name: subprocess.Popen(
+            [sys.executable, "-c", SCRIPT.format(end=end), str(scratch / f"ready{number}")],
+            env=env,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.DEVNULL,
+            text=True,
+        )
+        for number, (name, (end, _)) in enumerate(ENDS.items())
+    }
+    found = {}
+    for name, run in runs.items():
+        assert run.stdout is not None
+        pids = [int(word) for word in run.stdout.readline().split()]
+        found[name] = (pids, all(map(is_there, pids)))
+        if (sent := ENDS[name][1]) is not None:
+            run.send_signal(sent)
+    for run in runs.values():
+        with run:
+            run.wait()
+    return found
+
+
+@pytest.mark.parametrize("name", ENDS)
+def test_none_is_left(ended: dict[str, tuple[list[int], bool]], name: str) -> None:
+    pids, all_ran = ended[name]
+    assert len(pids) == 3 and (all_ran or ENDS[name][1] is None)
     assert all_gone(pids)
 
 

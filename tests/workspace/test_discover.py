@@ -302,6 +302,8 @@ def test_submodules(git: Git, new_git: Callable[[str], Git]) -> None:
     )
     assert discover(git.top, (".",), exclude=("lib.cpp",)).problems == ()
     assert discover(git.top, ("a.cpp",)).problems == ()
+    shutil.rmtree(git.top / "lib.cpp")  # as in a copy that leaves out empty directories
+    assert messages(discover(git.top, (".",))) == [(path, message)]
 
 
 def test_submodules_in_one_problem_and_those_that_nobody_can_have(git: Git, new_git: Callable[[str], Git]) -> None:

@@ -21,6 +21,11 @@ FIRES = [
     ("a/catch.hpp", "/*\n *  Catch v2.13.9\n *  Copyright (c) 2022 Two Blue Cubes Ltd.\n */\n", "catch"),
     ("a/jsoncpp.cpp", "/// Json-cpp amalgamated source (http://jsoncpp.sourceforge.net/).\n", "jsoncpp"),
     ("a/matplotlibcpp.h", "// Source: https://github.com/lava/matplotlib-cpp\n", "matplotlibcpp"),
+    (
+        "a/matplotlibcpp.h",
+        "#pragma once\n\n// Python headers must be included before any system headers, since\n// they define _POSIX_C_SOURCE\n",
+        "matplotlibcpp",
+    ),
     ("a/imgui_draw.cpp", "// dear imgui, v1.89\n", "imgui"),
     (
         "a/sqlite3.c",
@@ -39,6 +44,7 @@ QUIET = [
     ("a/json.hpp", 'const char * s = "Copyright Niels Lohmann";\n', 200),
     ("a/jsoncpp.cpp", "// Reads our settings with JsonCpp\n", 200),
     ("a/matplotlibcpp.h", "// Plots for our robot\n", 200),
+    ("a/plot.h", "// Python headers must be included before any system headers\n", 200),
     ("a/plots.h", "// After https://github.com/lava/matplotlib-cpp\n", 200),
     ("a/getopt.c", "// Copyright 2020 Somebody Else\n", 200),
     ("a/serial.cc", "// Copyright 2020 Somebody Else, serial lines\n", 200),

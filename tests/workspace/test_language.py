@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import pytest
 
-from haros_ci.workspace.language import language_of, script_language
+from haros_ci.workspace.language import is_kept_copy, language_of, script_language
 
 
 @pytest.mark.parametrize(
@@ -121,3 +121,17 @@ def test_shell_scripts(head: bytes) -> None:
 )
 def test_no_shell_scripts(head: bytes) -> None:
     assert script_language(head) is None
+
+
+@pytest.mark.parametrize(
+    "name", ["a.py.bak", "a.py.bak2", "a.BAK", "run.old", "a.py.orig", "a.py~", "a.py.swp", "talker.bak_2021"]
+)
+def test_a_copy_that_is_kept_beside(name: str) -> None:
+    assert is_kept_copy(name)
+
+
+@pytest.mark.parametrize(
+    "name", ["bak.py", "old", "talker", "talker.py", "a.old.py", ".bak", "tmp", "a.bakery", "restore_bak", "rollback"]
+)
+def test_other_names_are_no_copies(name: str) -> None:
+    assert not is_kept_copy(name)

@@ -13,6 +13,16 @@ MAX_DEPTH = 100
 MAX_ELEMENTS = 100_000
 
 
+#: Characters of a tag that a message shows.
+_LONGEST = 60
+_MEANS = {
+    "not well-formed (invalid token)": "such as & or < in a text, which are &amp; and &lt;, or an attribute without quotes",
+    "junk after document element": "something stands behind the end of <launch>",
+    "duplicate attribute": "one stands twice in this tag",
+    "unbound prefix": "the tag of the file lacks xmlns: for it",
+}
+
+
 class _Refused(Exception):
     """The file is well-formed so far, but not accepted."""
 
@@ -110,10 +120,19 @@ def read_launch(text: str) -> LaunchFile:
         parser.Parse(data, True)
     except expat.ExpatError as err:
         line, _ = _Places(data).at(max(parser.ErrorByteIndex, 0))
-        return LaunchFile(None, ((line, f"not well-formed XML: {expat.ErrorString(err.code)}; fix it"),))
+        return LaunchFile(None, ((line, _said(expat.ErrorString(err.code), opened[1:])),))
     except _Refused as err:
         return LaunchFile(None, ((places.at(parser.CurrentByteIndex)[0], str(err)),))
     return LaunchFile(top.children[0])
+
+
+def _said(problem: str, opened: Sequence[_Open]) -> str:
+    """What is wrong, in the words of expat, with the tag that is still open where that is what is missing."""
+    if problem in ("mismatched tag", "no element found", "unclosed token") and opened:
+        problem += f", while <{opened[-1].tag[:_LONGEST]}> of line {opened[-1].line} is open"
+    elif problem in _MEANS:
+        problem += f" ({_MEANS[problem]})"
+    return f"the launch file is not well-formed XML: {problem}; correct it"
 
 
 def to_json(launch: LaunchFile) -> object:

@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+import posixpath
+import re
 from collections.abc import Callable, Mapping
 
 from haros_ci.launch.facts.memory import LaunchMemory, Memo
@@ -13,6 +15,8 @@ from haros_ci.model.workspace import Workspace
 from haros_ci.timing import timed
 
 _NAMES = tuple(f"{mark}launch.{kind}" for mark in (".", "_") for kind in ("xml", "yaml", "yml", "py"))
+#: What ``ros2 launch`` and launch_testing ask a Python file for.
+_ENTRIES = ("generate_launch_description", "generate_test_description")
 
 
 @timed("launch")
@@ -28,7 +32,8 @@ def entry_files(
 
     They are called ``*.launch.xml``, ``*_launch.py`` and the like, or lie in a directory ``launch`` and describe
     something; *is_ros2* says of a path whether it is for ROS 2. Those below ``test``, those called ``test_…`` and those of
-    packages called ``…_tests`` are descriptions of tests. Each file is launched once, in *environment*; with a *memo*
+    packages called ``…_tests`` are descriptions of tests. A Python file that describes nothing and is imported by one of the others is a module
+    of theirs. Each file is launched once, in *environment*; with a *memo*
     ``launch_system`` does not do it again.
     """
     found: list[str] = []
@@ -48,12 +53,21 @@ def entry_files(
     included: set[str] = set()
     entries: list[str] = []
     for path in found:
-        if load(path) is None:
+        if load(path) is None or _is_module(path, found, workspace):
             continue
         entries.append(path)
         system = launch_system((path,), workspace, load, {}, environment or {}, places, kept)
         included.update(other for other in system.includes if other != path)
     return tuple(sorted(path for path in entries if path not in included))
+
+
+def _is_module(path: str, found: list[str], workspace: Workspace) -> bool:
+    """Whether the file at *path* has functions for others of *found* and no description: ``from robot.common_launch import arguments``."""
+    stem = posixpath.basename(path).removesuffix(".py")
+    if not path.endswith(".py") or not stem.isidentifier() or any(name in workspace.text(path) for name in _ENTRIES):
+        return False
+    imported = re.compile(rf"^[ \t]*(?:from[ \t][^\n#]*|import[ \t][^\n#]*)\b{stem}\b", re.MULTILINE)
+    return any(imported.search(workspace.text(other)) for other in found if other != path and other.endswith(".py"))
 
 
 def named_as_tests(workspace: Workspace, is_ros2: Callable[[str], bool]) -> tuple[str, ...]:

@@ -9,6 +9,7 @@ from collections.abc import Mapping
 from importlib import import_module
 
 import pytest
+from every import every
 
 from haros_ci.model.api import Row, Template, load_row
 
@@ -484,7 +485,7 @@ def test_what_a_call_says(name: str, written: str, expected: str) -> None:
     assert told(name, written) == expected
 
 
-@pytest.mark.parametrize("row", FORMS, ids=lambda row: str(row.get("call", row.get("class"))))
+@every("row", FORMS)
 def test_every_row_loads(row: Mapping[str, object]) -> None:
     assert load_row(row).call
 

@@ -7,6 +7,7 @@ import re
 from importlib import import_module
 
 import pytest
+from every import every
 
 from haros_ci.extract.apis.tables import TABLES, UNSURE, rows
 from haros_ci.follow.ros.qos import qos_of
@@ -203,7 +204,7 @@ def _rows(call: str) -> list[Row]:
     return [row for row in rows("cpp", 2) if row.call == call and not row.is_class]
 
 
-@pytest.mark.parametrize(("module", "row"), FORMS, ids=lambda value: value if isinstance(value, str) else "")
+@every(("module", "row"), FORMS)
 def test_every_row_loads_and_is_of_one_form(module: str, row: dict[str, object]) -> None:
     loaded = load_row(row)
     assert module.startswith(("ros2_", "threads"))
@@ -214,7 +215,7 @@ def test_every_row_loads_and_is_of_one_form(module: str, row: dict[str, object])
             assert "queue_size" not in entry.values and "latched" not in entry.values, "those are of ROS 1"
 
 
-@pytest.mark.parametrize(("module", "row"), FORMS, ids=lambda value: value if isinstance(value, str) else "")
+@every(("module", "row"), FORMS)
 def test_selected_arguments_are_there(module: str, row: dict[str, object]) -> None:
     loaded = load_row(row)
     told = [*(template for _, template in (*loaded.fills, *loaded.sets)), loaded.returns, loaded.transparent]
@@ -228,7 +229,7 @@ def test_selected_arguments_are_there(module: str, row: dict[str, object]) -> No
                     assert int(found[1] or found[2]) < max(loaded.args), alternative
 
 
-@pytest.mark.parametrize(("module", "row"), FORMS, ids=lambda value: value if isinstance(value, str) else "")
+@every(("module", "row"), FORMS)
 def test_literal_types_are_of_ros_2(module: str, row: dict[str, object]) -> None:
     for entry in load_row(row).makes:
         kind = entry.values.get("type")
@@ -239,7 +240,7 @@ def test_literal_types_are_of_ros_2(module: str, row: dict[str, object]) -> None
             assert re.fullmatch(rf"[a-z][a-z0-9_]*/{word}/[A-Z]\w*", str(kind.parts[0])), kind
 
 
-@pytest.mark.parametrize(("module", "row"), FORMS, ids=lambda value: value if isinstance(value, str) else "")
+@every(("module", "row"), FORMS)
 def test_literal_qualities_of_service_are_known(module: str, row: dict[str, object]) -> None:
     for entry in load_row(row).makes:
         given = entry.values.get("qos", Template(("10",)))
@@ -250,7 +251,7 @@ def test_literal_qualities_of_service_are_known(module: str, row: dict[str, obje
             assert why is None and found.history is not None, profile
 
 
-@pytest.mark.parametrize(("call", "numbers"), COVERED.items(), ids=COVERED)
+@every(("call", "numbers"), COVERED.items())
 def test_covered(call: str, numbers: tuple[int, ...]) -> None:
     covered = {number for row in _rows(call) for number in row.args}
     assert set(numbers) <= covered

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import pytest
+from every import every
 
 from haros_ci.extract.apis.rospy import ROWS
 from haros_ci.model.api import Row, load_row
@@ -65,7 +66,7 @@ def loaded(call: str) -> list[Row]:
     return [load_row(row) for row in ROWS if row.get("call") == call]
 
 
-@pytest.mark.parametrize("row", ROWS, ids=lambda row: str(row.get("call", row.get("class"))))
+@every("row", ROWS)
 def test_every_row_loads(row: dict[str, object]) -> None:
     assert load_row(row).call
 

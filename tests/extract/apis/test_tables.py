@@ -12,6 +12,7 @@ from importlib import import_module
 from pathlib import Path
 
 import pytest
+from every import every
 
 from haros_ci.extract.apis.tables import TABLES, rows
 from haros_ci.model.api import load_row
@@ -168,7 +169,7 @@ def test_rows_are_literals(module: str) -> None:
     assert len(ast.literal_eval(body[2].value)) > 0
 
 
-@pytest.mark.parametrize(("module", "row"), FORMS, ids=[f"{m}-{i}" for i, (m, _) in enumerate(FORMS)])
+@every(("module", "row"), FORMS)
 def test_every_row_loads_and_says_what_its_kind_needs(module: str, row: dict[str, object]) -> None:
     loaded = load_row(row)
     assert loaded.is_class or loaded.args, "a row for a call says with how many arguments"
@@ -182,7 +183,7 @@ def test_every_row_loads_and_says_what_its_kind_needs(module: str, row: dict[str
             assert len({"period", "frequency"} & entry.values.keys()) == 1
 
 
-@pytest.mark.parametrize(("module", "row"), FORMS, ids=[f"{m}-{i}" for i, (m, _) in enumerate(FORMS)])
+@every(("module", "row"), FORMS)
 def test_no_row_selects_an_argument_that_its_call_never_has(module: str, row: dict[str, object]) -> None:
     most = max(load_row(row).args, default=0)
     text = repr({key: value for key, value in row.items() if key != "call"})
@@ -207,7 +208,7 @@ def test_no_row_is_hidden_by_one_before_it() -> None:
             open_to |= set(row.args)
 
 
-@pytest.mark.parametrize(("call", "arguments"), COVERED.items())
+@every(("call", "arguments"), COVERED.items())
 def test_covered(call: str, arguments: tuple[int, ...]) -> None:
     found = {number for row in rows("cpp", 1) if row.call == call and not row.is_class for number in row.args}
     assert found == set(arguments)

@@ -50,14 +50,29 @@ def test_blank_text_is_none() -> None:
     assert root("<launch>\n  <group/>\n</launch>").text == ""
 
 
+BAD = "the launch file is not well-formed XML: {}; correct it"
+
+
 @pytest.mark.parametrize(
     ("text", "line", "message"),
     [
-        ("", 1, "not well-formed XML: no element found; fix it"),
-        ("<launch>\n<node>\n</launch>", 3, "not well-formed XML: mismatched tag; fix it"),
-        ("<launch>\n&bomb;</launch>", 2, "not well-formed XML: undefined entity; fix it"),
-        ("<launch/>\n<launch/>", 2, "not well-formed XML: junk after document element; fix it"),
-        ('<a b="1" b="2"/>', 1, "not well-formed XML: duplicate attribute; fix it"),
+        ("", 1, BAD.format("no element found")),
+        ("<launch>\n<node>\n</launch>", 3, BAD.format("mismatched tag, while <node> of line 2 is open")),
+        ("<launch>\n<a><b/></a>\n<c>\n", 4, BAD.format("no element found, while <c> of line 3 is open")),
+        ("<launch>\n&bomb;</launch>", 2, BAD.format("undefined entity")),
+        (
+            "<launch>\n<a b='1 & 2'/></launch>",
+            2,
+            BAD.format(
+                "not well-formed (invalid token) (such as & or < in a text, which are &amp; and &lt;, or an attribute without quotes)"
+            ),
+        ),
+        (
+            "<launch/>\n<launch/>",
+            2,
+            BAD.format("junk after document element (something stands behind the end of <launch>)"),
+        ),
+        ('<a b="1" b="2"/>', 1, BAD.format("duplicate attribute (one stands twice in this tag)")),
         (
             '<!DOCTYPE a [<!ENTITY b "c">]>\n<a>&b;</a>',
             1,

@@ -67,7 +67,7 @@ def test_a_group_with_attributes_has_its_elements_below_children() -> None:
     [
         ("", 1, "not a launch file: it needs the one key 'launch', with a list"),
         ("a: 1\nb: 2", 1, "not a launch file: it needs the one key 'launch', with a list"),
-        ("launch: [}", 1, "not valid YAML: did not find expected node content; correct it"),
+        ("launch: [}", 1, "the launch file is not valid YAML: did not find expected node content; correct it"),
         (
             "launch:\n- a: 1\n  b: 2",
             2,

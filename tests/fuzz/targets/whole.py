@@ -5,7 +5,8 @@ from __future__ import annotations
 
 from fuzz.targets.kit import ROOT, Entry, parts, ros_package, workspace
 
-from haros_ci.analysis.inspection import Architectures, inspected
+from haros_ci.analysis.architectures import Architectures
+from haros_ci.analysis.inspection import inspected
 from haros_ci.commands.output import FORMATS, Extras
 from haros_ci.config.settings import Settings
 from haros_ci.pipeline import finished, own_run, selected, selection_of

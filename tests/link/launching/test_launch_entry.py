@@ -6,8 +6,10 @@ from __future__ import annotations
 from launching_kit import loader, node, workspace
 
 from haros_ci.launch.facts.memory import LEAST, LaunchMemory, Memo
+from haros_ci.launch.python.interpret import interpret
 from haros_ci.launch.ros2.entry import entry_files
 from haros_ci.launch.ros2.places import Places
+from haros_ci.model.launch_actions import Description
 
 FULL = f"<launch>{node()}</launch>"
 
@@ -17,7 +19,11 @@ def include(path: str, condition: str = "") -> str:
 
 
 def entries(files: dict[str, str], memo: Memo | None = None) -> tuple[str, ...]:
-    load = loader(files)
+    plain = loader(files)
+
+    def load(path: str) -> Description | None:
+        return interpret(path, files[path], lambda _: None, {}) if path.endswith(".py") else plain(path)
+
     places = Places(workspace(files))
     return entry_files(places.workspace, load, places, lambda path: not path.endswith(".launch"), memo)
 
@@ -88,3 +94,29 @@ def test_files_that_take_few_steps_leave_the_others() -> None:
     assert entries(chain(1, 12), memory) == ("bot/launch/c0.launch.xml",)
     assert 0 < before - memory.left < 13 * 2_000
     assert not any(system.problems for system in memory.values())
+
+
+FUNCTIONS = "def arguments():\n    return []\n"
+OTHER = "from launch import LaunchDescription\nfrom bot.{} import {}\ndef generate_launch_description():\n    return LaunchDescription([])\n"
+
+
+def test_a_module_that_launch_files_import_is_no_launch_file() -> None:
+    files = {
+        "bot/bot/common_launch.py": FUNCTIONS,
+        "bot/launch/main.launch.py": OTHER.format("common_launch", "arguments"),
+        "bot/bot/shared_launch.py": FUNCTIONS,
+        "bot/launch/more_launch.py": "import bot.shared_launch as shared\n" + OTHER.format("x", "y"),
+    }
+    assert entries(files) == ("bot/launch/main.launch.py", "bot/launch/more_launch.py")
+
+
+def test_a_launch_file_without_a_description_is_one_where_nobody_imports_it() -> None:
+    files = {
+        "bot/launch/alone_launch.py": FUNCTIONS,
+        "bot/launch/misspelt.launch.py": FUNCTIONS,
+        "bot/launch/named_launch.py": FUNCTIONS,
+        "bot/launch/full_launch.py": OTHER.format("x", "y"),
+        "bot/launch/main.launch.py": "# from bot.alone_launch import x\nnamed_launch = 1  # import\n"
+        + OTHER.format("full_launch", "arguments"),
+    }
+    assert entries(files) == tuple(sorted(files))

@@ -1,0 +1,50 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Flags of compilers that change warnings, speed and the dialect alone; all others may make a compiler read another file (gcc(1), clang(1))."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+_REFERENCE = r"\$\{[\w./+-]{1,100}\}"
+_PATH = rf"(?:[\w./+~:\"\\-]|{_REFERENCE})"
+#: What a flag may be. A word without a dash is a name, a path or a keyword; behind a flag that is not here it is named with that.
+_HARMLESS = re.compile(
+    rf"-W(?![pa],)[\w=+#,./:${{}}-]*|-O\w*|-g[\w-]*|-g\w+=\w+|-std=(?:[\w+]|{_REFERENCE})+|-pedantic(?:-errors)?|-pg|-pipe|-pthreads?|-ansi|-rdynamic|-pie|-diag[\w-]*|-static[\w+-]*|-shared|-coverage|--coverage"
+    rf"|-f(?!plugin|module|include|preprocess)[\w+-]+(?:=[\w.,+-]*)?|-f\w+-prefix-map=\S*|-m[\w.+-]+(?:=[\w.,+${{}}-]+)?|-l\S*|-L\S*|-I{_PATH}*|-isystem{_PATH}*|-iquote{_PATH}*|-D[\w.+-]*(?:=(?:{_PATH}|[,@*])*)?|-U\w*|-[AC-WYZac-wyz]|-undefined|-Qunused-arguments"
+    rf"|-no-?\w+|--?param=?\S*|-arch|-framework|-Xlinker|-rpath\S*|-Bstatic|-Bdynamic|-gencode\S*|--?expt-[\w-]+|-std|--compiler-options|-Xcompiler\S*|-dev|/(?!FI|Y|clang)[A-Z]\S*|--",
+    re.DOTALL,
+)
+#: What a macro may be: a number, a name, a path or a text; code and the name of what is included are neither.
+_PLAIN = re.compile(
+    r"\s*(?:-[DU])?[\w.+-]*(?:=(?:[\w.+:/,@~*-]*|'?(?:\\*\")[^\"()]*(?:\\*\")'?))?(?:\s+-[DU][\w.+-]*(?:=[\w.+:/,-]*)?)*\s*",
+    re.DOTALL,
+)
+_OTHER = re.compile(r"-\d[\w.]*|@\w+@|--(?!include|imacros|language|config|specs|sysroot)[\w=./-]+|-(?=\Z)")
+_BETWEEN = re.compile(r"[\s;]+")
+_IN_GENEX = re.compile(r"[\s;:<>$]+|,(?=\$|>|-)")
+
+
+def odd_flags(text: str, *, are_definitions: bool = False) -> Iterator[str]:
+    """The words of an argument that may be flags and are not known to be harmless; *are_definitions* says that words without a dash define macros."""
+    if "$<" in text:
+        text = re.sub(_REFERENCE, "x", text)
+        yield from (word for word in _IN_GENEX.split(text) if word.startswith(("-", "@")) and not _is_harmless(word))
+        return
+    if are_definitions and "=" in text and not _has_plain_values(text):
+        yield text
+        return
+    words = [word.removeprefix("SHELL:") for word in _BETWEEN.split(text) if word]
+    for word, after in zip(words, [*words[1:], ""], strict=True):
+        is_odd = word.startswith(("-", "@", "/FI", "/Y")) and not _is_harmless(word) and not _OTHER.fullmatch(word)
+        if is_odd or text == "-":
+            yield f"{word} {after}".strip()
+
+
+def _has_plain_values(text: str) -> bool:
+    """Whether what *text* gives macros are numbers, names, paths and texts."""
+    return all(_PLAIN.fullmatch(part) for part in re.sub(_REFERENCE, "x", text).split(";"))
+
+
+def _is_harmless(word: str) -> bool:
+    return _HARMLESS.fullmatch(word) is not None
