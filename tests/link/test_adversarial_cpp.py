@@ -104,3 +104,23 @@ def test_a_quality_of_service_that_a_function_changes(call: str, durability: str
     body = f'rclcpp::QoS q(7);\n{call}\ncreate_publisher<String>("a", q);'
     (node,) = [node for node in ros2_cpp(body, before=CHANGED).nodes if node.name == "/n"]
     assert policies(explicit(node)[0]) == last(7, durability=durability)
+
+
+WINDOW = "class W : public %s {\npublic:\nros::NodeHandle nh;\nW(bool on) { if (on) connect(); }\n"
+WINDOW += 'void connect() { on_button_connect_clicked(true); }\nvoid %s(bool check) { ADV("a", 1); }\n};\n'
+
+
+@pytest.mark.parametrize(
+    ("base", "name", "conditions"),
+    [
+        ("QMainWindow", "on_button_connect_clicked", 0),
+        ("QWidget", "on_button_connect_clicked", 0),
+        # what Qt does not connect
+        ("elsewhere::Window", "on_button_connect_clicked", 1),
+        ("Quaternion", "on_button_connect_clicked", 1),
+    ],
+)
+def test_slots_that_qt_connects_by_their_names(base: str, name: str, conditions: int) -> None:
+    before = (WINDOW % (base, name)).replace("ADV(", "nh.advertise<std_msgs::String>(")
+    (end,) = [end for end in cpp("W w(x());", before).endpoints if end.kind == "publishers"]
+    assert (end.name, len(end.conditions)) == ("/a", conditions)
