@@ -69,11 +69,16 @@ def may_make(
 
 def _calls_outer(walk: Walk, function: Callable) -> bool:
     """Whether a Python function calls a parameter of the function around it that holds one that makes something."""
-    outer = function.frame.function if isinstance(function.frame, Frame) else None
-    if outer is None or outer.kind == "module" or function.function.body is None:
+    frame = function.frame
+    if (
+        not isinstance(frame, Frame)
+        or frame.function is None
+        or frame.function.kind == "module"
+        or function.function.body is None
+    ):
         return False
     called = walk.relevance.names(function.function.body, function.source)
-    cells = (function.frame.find(p.name) for p in outer.parameters if p.name in called)  # type: ignore[union-attr]
+    cells = [frame.find(parameter.name) for parameter in frame.function.parameters if parameter.name in called]
     return any(cell is not None and isinstance(cell.value, Callable) and _makes(walk, cell.value) for cell in cells)
 
 
