@@ -93,9 +93,7 @@ def nodes(text: str, limits: YamlLimits) -> Iterator[yaml.Node]:
     import yaml
 
     with _faults():
-        for node in yaml.compose_all(text, Loader=_loader()):
-            if node is not None:
-                yield node
+        yield from (node for node in yaml.compose_all(text, Loader=_loader()) if node is not None)
 
 
 def data(text: str, limits: YamlLimits) -> object:

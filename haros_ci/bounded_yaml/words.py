@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the words of the parser mean for who wrote the text."""
+"""The words of libyaml, which speak of its grammar, in words about the text."""
 
 from __future__ import annotations
 
-#: By what libyaml says.
-_MEANS = {
+#: What the words of libyaml mean for who wrote the text.
+MEANS = {
     "found character that cannot start any token": "a tab stands in the indentation, or a text that begins with @, ` or % lacks quotes",
     "mapping values are not allowed in this context": "a key is indented too far, or a text that has ': ' in it lacks quotes",
     "did not find expected key": "the line is indented otherwise than those above it",
@@ -18,4 +18,4 @@ _MEANS = {
 
 def explained(problem: str) -> str:
     """The parser's *problem*, and what it means where that is known."""
-    return f"{problem} ({_MEANS[problem]})" if problem in _MEANS else problem
+    return f"{problem} ({MEANS[problem]})" if problem in MEANS else problem
