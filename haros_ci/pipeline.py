@@ -114,10 +114,9 @@ def analyse(
         silence = silenced(workspace, settings, base, compared.runs, before_it)
         noticed = tuple(notices(workspace, past, silence))
     notes = (*settings.notes, *misfits, *idle_entries(runs, workspace, settings))
-    weighed_runs = weighed(compared.runs, compared.baseline, selection)
-    runs = tuple(described(run, selection) for run in weighed_runs)  # absent results bring rules of their own
     report = Report(
-        runs=runs,
+        # absent results bring rules of their own
+        runs=tuple(described(run, selection) for run in weighed(compared.runs, compared.baseline, selection)),
         notifications=(
             *(Notification(Level.NOTE, note, configuration=True) for note in notes),
             *changed,
@@ -343,7 +342,7 @@ def own_run(workspace: Workspace, known: Registry) -> Run:
 
 
 def described(run: Run, selection: Selection) -> Run:
-    """The run with the rules that its results refer to."""
+    """The run with the rules that its results refer to, those that are absent included."""
     if run.imported:
         return run
     ids = sorted({result.rule for result in run.results})

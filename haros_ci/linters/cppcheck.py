@@ -10,7 +10,7 @@ from collections.abc import Iterable, Iterator
 from functools import lru_cache, partial
 from posixpath import join, relpath
 
-from haros_ci.linters import compile_db, cppcheck_libraries, growth, includes, installed, ros_macros
+from haros_ci.linters import compile_db, cppcheck_libraries, growth, includes, installed, ros_macros, unseen_headers
 from haros_ci.linters.catalogue.cppcheck import UNSURE
 from haros_ci.linters.cppcheck_doubts import is_refuted, self_initialized_line
 from haros_ci.linters.cppcheck_indices import OF_INDICES, is_multiple, is_searched
@@ -86,10 +86,13 @@ def plan(workspace: Workspace, options: LintOptions, store: Store) -> Iterator[U
     requested = cppcheck_libraries.by_file(workspace, files.values(), directives, store)
     without = cppcheck_libraries.switched_off(workspace)
     included = {header for path in direct for header in direct[path]}
+    views = unseen_headers.sights(workspace, files.values(), store)
+    conditional = includes.resolve({path: view.conditional for path, view in views.items()}, search)
+    alone = unseen_headers.unseen({p: direct[p] for p in read}, conditional, views, _is_source)
     seen: set[str] = set()
     # Sources first, then headers that nobody includes; what is left includes itself in a circle.
     for path in sorted(files, key=lambda p: (not _is_source(p), p in included, p)):
-        if path not in read or (not _is_source(path) and path in seen):
+        if path not in read or (not _is_source(path) and path in seen and path not in alone):
             continue
         headers = tuple(sorted(includes.closure(path, direct)))
         seen.update(headers)

@@ -3,7 +3,7 @@
 
 Whether a package is one of ROS 1 or of ROS 2 is decided by the first of these that speaks for one of them alone: the
 build types that its exports name, its build tools, all that it depends on. What a condition rules out does not count.
-Where the first that speaks at all speaks for both, the package builds under both: ``supports_both``. Such a package
+Where none does and its dependencies speak for both, the package builds under both: ``supports_both``. Such a package
 counts as one of ROS 2, with the build type that it has there, unless all others of the workspace that tell are of
 ROS 1; then it stays undecided (``ros`` None), and both sides of its conditions are looked at. The environment that
 the program runs in is not asked, so that the result is the same everywhere. All dependencies are kept, those with a
@@ -69,13 +69,16 @@ def parse_package(path: str, data: bytes, *, environment: Mapping[str, str] | No
     exports = [child for export in root.all("export") for child in export.children]
     export = Element("export", {}, root.line, children=exports)
     build_types = {_text(tag) for tag, _ in _holding(export, environment, "build_type")} - {""}
+    ros = _ros(build_types, dependencies)
+    if len(build_types) > 1 and ros is not None:
+        build_types = {one for one in build_types if _worlds({one}) == {ros}}
     return Package(
         name=name,
         path=path.rpartition("/")[0] or ".",
         format=int(manifest_format),
         version=_text(next(root.all("version"), None)),
         build_type=min(build_types) if len(build_types) == 1 else "",
-        ros=_ros(build_types, dependencies),
+        ros=ros,
         dependencies=dependencies,
         is_metapackage=any(export.all("metapackage")),
     )
@@ -109,12 +112,12 @@ def _holding(parent: Element, environment: Mapping[str, str], *tags: str) -> lis
 
 
 def _ros(build_types: set[str], dependencies: tuple[Dependency, ...]) -> int | None:
-    """1 or 2 by the build type, else the build tool, else the client libraries; None where these speak for both."""
+    """1 or 2 by the build type, else the build tool, else the client libraries: the first that speaks for one alone; None where all speak for both."""
     build_tools = {d.name for d in dependencies if d.kind == "buildtool_depend"}
     for names in (build_types, build_tools, {d.name for d in dependencies}):
         worlds = _worlds(names)
-        if worlds:
-            return worlds.pop() if len(worlds) == 1 else None
+        if len(worlds) == 1:
+            return worlds.pop()
     return None
 
 

@@ -98,6 +98,10 @@ def test_a_package_for_both(
     assert [(d.name, d.condition) for d in found.dependencies] == dependencies
 
 
+#: A package that says that it is built in both, whatever it depends on.
+TYPES = "<export><build_type>catkin</build_type><build_type>ament_cmake</build_type></export>"
+
+
 @pytest.mark.parametrize(
     ("body", "ros"),
     [
@@ -107,6 +111,13 @@ def test_a_package_for_both(
         ("<export><build_type>cmake</build_type></export>", None),
         ("<export><build_type>cmake</build_type></export><depend>rclcpp</depend>", 2),
         ("<depend>rclcpp</depend><depend>roscpp</depend>", None),
+        (
+            "<buildtool_depend>ament_cmake</buildtool_depend><buildtool_depend>catkin</buildtool_depend><depend>rclcpp</depend>",
+            None,
+        ),
+        (f"{TYPES}<buildtool_depend>ament_cmake</buildtool_depend><depend>rclcpp</depend>", 2),
+        (f"{TYPES}<buildtool_depend>catkin</buildtool_depend><depend>roscpp</depend>", 1),
+        (TYPES, None),
         ("<depend>eigen</depend>", None),
         ("", None),
     ],
