@@ -9,12 +9,14 @@ from functools import partial
 
 from haros_ci import syntax
 from haros_ci.follow import (
+    around,
     call_arguments,
     construct,
     conversions,
     copies,
     expressions,
     inert,
+    members,
     methods,
     overloads,
     setters,
@@ -77,6 +79,8 @@ def invoke(
     """Follow a function of the workspace with these arguments."""
     walk.step()
     definition = function.function
+    if definition.decorators and (around_it := around.called(walk, frame, function, args)) is not None:
+        return around_it
     if definition.body is None:
         source, definition = methods.with_body(walk, [(function.source, definition)])
         function = Callable(source, definition, function.this, function.bound, function.frame, function.templates)
@@ -199,7 +203,7 @@ def bind(
         if argument is None:
             default = parameter.default or _declared_default(walk, function, number)
             if default is not None:
-                value = expressions.evaluate(walk, inner, default)
+                value = _default(walk, inner, function, parameter.name, default)
                 if inner.source.separator != ".":
                     value = conversions.in_braces(value, kind)
                 value = conversions.converted(value, kind)
@@ -245,6 +249,18 @@ def _collected(
         return Mapped(Cell(walk.opaque("keyword arguments", frame)))
     taken = {parameter.name for parameter in function.parameters}
     return Mapped(Cell({key: Cell(argument.value) for key, argument in named.items() if key not in taken}))
+
+
+def _default(walk: Walk, inner: Frame, function: Function, name: str, default: Expression) -> Value:
+    """The value of a default argument: in Python as the function was made, in a class with the names of the class."""
+    if inner.source.separator == ".":
+        kept = inner.outer.scopes[-1].get(f"{name}=") if inner.outer is not None else None
+        owner = walk.class_of(function.owner, inner.source) if function.owner else None
+        if kept is None and owner is not None and type(default) is syntax.Name:
+            kept = members.static_cell(walk, *owner, default.name)
+        if kept is not None:
+            return kept.value
+    return expressions.evaluate(walk, inner, default)
 
 
 def _declared_default(walk: Walk, function: Function, number: int) -> Expression | None:

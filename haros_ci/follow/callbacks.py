@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 
 from haros_ci import syntax
@@ -19,6 +20,8 @@ from haros_ci.values.abstract import NONE, Callable, Choice, Known, Object, Poin
 #: The macros that name a signal or slot (QObject).
 QT = frozenset(("SLOT", "SIGNAL"))
 
+#: Classes of Qt, and slots that it connects by their names.
+_WIDGET, _SLOT = re.compile(r"Q[A-Z]\w{1,60}"), re.compile(r"on_\w{1,80}_[a-z]\w{1,40}")
 #: Why what a callback makes may not be made.
 ONE_OF = "one of several functions is called back"
 
@@ -83,12 +86,18 @@ def register(
 
 
 def _carried(walk: Walk, function: Callable) -> tuple[object, ...]:
-    """The plain data that a callback which makes something takes along, bound to it or captured by value."""
+    """The plain data that a callback which makes something takes along, bound to it, captured by value, or given to the function that made it."""
     if not walk.relevance.makes(function.function, function.source):
         return ()
     bound: list[tuple[str, object]] = [(str(number), value) for number, value in enumerate(function.bound)]
     if isinstance(function.frame, Frame) and function.function.captures:
         bound += [(name, cell.value) for name, cell in function.frame.scopes[-1].items()]
+    if isinstance(function.frame, Frame) and function.source.separator == ".":
+        outer, scope = function.frame.function, function.frame.scopes[-1]
+        bound += [(name, cell.value) for name, cell in scope.items() if name.endswith("=")]
+        if outer is not None and outer.kind != "module":
+            cells = ((one.name, function.frame.find(one.name)) for one in outer.parameters)
+            bound += [(name, cell.value) for name, cell in cells if cell is not None]
     return tuple((name, value.kind, repr(value.value)) for name, value in bound if isinstance(value, Known))
 
 
@@ -159,7 +168,22 @@ def framework_entries(walk: Walk, this: Object) -> None:
                     if owner.startswith(beside.BEGINNING):
                         beside.note(walk, method)
     _entries_of_unknown_base(walk, this)
+    _slots(walk, this)
     _destructor(walk, this)
+
+
+def _slots(walk: Walk, this: Object) -> None:
+    """Slots that Qt connects by their names, ``on_<object>_<signal>`` (QMetaObject::connectSlotsByName, which setupUi calls)."""
+    if this.definition is None or this.definition[0].separator != "::":
+        return
+    key = ("slots", this.definition[1].name, this.definition[0].path)
+    if key not in walk.found:
+        is_widget = any(_WIDGET.fullmatch(base) for base in methods.library_bases(walk, *this.definition))
+        owner = f"{this.definition[1].name}::"
+        every = sorted(name for name in dict.keys(walk.index.functions) if name.startswith(owner)) if is_widget else []
+        walk.found[key] = [name[len(owner) :] for name in every if _SLOT.fullmatch(name, len(owner))]
+    for name in walk.found[key]:
+        register(walk, methods.method_of(walk, this, name) or NONE)
 
 
 def _destructor(walk: Walk, this: Object) -> None:

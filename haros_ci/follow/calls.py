@@ -131,7 +131,7 @@ def method_call(  # noqa: C901 - one branch for each kind of receiver, in the or
     if modelled is not None:
         return modelled
     if isinstance(receiver, Object):
-        method = methods.method_of(walk, receiver, name, args)
+        method = dynamic.as_declared(walk, receiver, cell, name, args) or methods.method_of(walk, receiver, name, args)
         if method is not None:
             specialised = specialisations.specialised(walk, frame, method, targs) if targs else None
             if specialisations.is_missing(specialised):

@@ -322,3 +322,19 @@ def captures(walk: Walk, frame: Frame, index: int) -> tuple[Function, tuple[synt
         function = syntax.replace(written, body=body[len(captured) :]) if captured else written
         found = walk.found[key] = (written, function, tuple(captured))
     return found[1], found[2]
+
+
+def changes(walk: Walk, statement: syntax.Each) -> bool:
+    """Whether the body of a loop may change a member of its variable, which is a copy of the element."""
+    key = ("sets", id(statement))
+    if key not in walk.found:
+        sets = (node for node in everything(statement.body) if type(node) is syntax.Assignment)
+        walk.found[key] = (any(_root(node.target) == statement.name for node in sets), statement)
+    return bool(walk.found[key][0])
+
+
+def _root(target: Expression) -> str:
+    """The variable of which a member or an element is assigned to; "" of all else."""
+    while isinstance(target, (syntax.Member, syntax.Subscript)):
+        target = target.object
+    return target.name if type(target) is syntax.Name else ""

@@ -4,13 +4,14 @@
 from __future__ import annotations
 
 from haros_ci import syntax
-from haros_ci.follow import call_arguments, copies, lookup, methods
+from haros_ci.follow import call_arguments, copies, lookup, members, methods
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.walk import Walk
 from haros_ci.index.index import Source
+from haros_ci.index.types import pointee
 from haros_ci.model.location import Location
 from haros_ci.syntax import Class, Function, Statement
-from haros_ci.values.abstract import Known, Opaque, Text, Value
+from haros_ci.values.abstract import Callable, Cell, Known, Object, Opaque, Text, Value
 
 FUNCTIONS = frozenset(("()", "std::function", "boost::function"))
 
@@ -19,6 +20,37 @@ IMPORTS = frozenset(("__import__", "importlib.import_module"))
 IMPORTED = "it is imported by a name that is not known"
 #: Modules that are generated: what is in them only carries data.
 INTERFACES = ("msg", "srv", "action")
+
+
+def as_declared(
+    walk: Walk, this: Object, cell: Cell | None, name: str, args: tuple[call_arguments.PassedArgument, ...]
+) -> Callable | None:
+    """The method of the class that a pointer or reference in *cell* says, where that is not virtual ([class.virtual]); None where the object's class decides."""
+    kind = cell.type if cell is not None else None
+    if kind is None or this.definition is None or kind.name == this.name or this.definition[0].separator != "::":
+        return None
+    kind = pointee(kind)
+    if kind.name in ("", "auto", this.name):
+        return None
+    key = ("declared", kind.name, id(this.definition[1]), name)
+    if key not in walk.found:
+        walk.found[key] = _not_virtual(walk, this.definition, kind.name, name)
+    owner: tuple[Source, Class] | None = walk.found[key]
+    found = methods.class_method(walk, *owner, name, args) if owner is not None else None
+    return Callable(found[0], found[1], this, templates=this.templates) if found is not None else None
+
+
+def _not_virtual(walk: Walk, own: tuple[Source, Class], kind: str, name: str) -> tuple[Source, Class] | None:
+    """The class *kind*, a base of *own*, if its method *name* is seen not to be virtual, and to be another one than that of *own*."""
+    owner = walk.class_of(kind, own[0])
+    if owner is None or owner[1].templates or owner[1] is own[1] or not copies.derives(walk, own, owner[1]):
+        return None
+    meant, declared = (methods.class_method(walk, *class_, name) for class_ in (own, owner))
+    if declared is None or meant is None or meant[1].owner == declared[1].owner:
+        return None
+    every = members.lineage(walk, *own)
+    is_virtual = any(_is_virtual(walk, f"{class_.name}::{name}") for _, class_ in every)
+    return None if is_virtual or methods.library_bases(walk, *owner) else owner
 
 
 def virtual(walk: Walk, owner: tuple[Source, Class], name: str, location: Location) -> None:

@@ -175,7 +175,7 @@ def _dict(walk: Walk, frame: Frame, expression: syntax.DictLiteral) -> Value:
 
 def _lambda(walk: Walk, frame: Frame, expression: syntax.Lambda) -> Value:
     function, captured = copies.captures(walk, frame, expression.function)
-    around = kept(frame)
+    around = with_defaults(walk, frame, function) if frame.source.separator == "." else kept(frame)
     for variable in captured:
         place = Location(frame.source.path, variable.line, variable.column)
         held = construct.initial(walk, frame, syntax.AUTO, variable.init, place)
@@ -192,6 +192,17 @@ def kept(frame: Frame) -> Frame:
     if frame.source.program.language == "python":
         return frame
     return replace(frame, scopes=[*frame.scopes])
+
+
+def with_defaults(walk: Walk, frame: Frame, function: syntax.Function) -> Frame:
+    """*frame* as a Python function that is made in it finds it, with what its default arguments are now, under their names with a ``=``."""
+    literals = (syntax.Boolean, syntax.Number, syntax.String, syntax.Null)
+    defaults = {
+        f"{parameter.name}=": Cell(evaluate(walk, frame, parameter.default))
+        for parameter in function.parameters
+        if parameter.default is not None and not isinstance(parameter.default, literals)
+    }
+    return replace(frame, scopes=[*frame.scopes, defaults]) if defaults else kept(frame)
 
 
 def here(frame: Frame) -> Object | None:

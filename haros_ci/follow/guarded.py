@@ -18,6 +18,8 @@ def preprocessor(walk: Walk, frame: Frame, statement: syntax.Preprocessor) -> st
     branches: list[tuple[str, Writes]] = []
     fresh: dict[str, Cell] = {}
     verdicts = [walk.is_compiled(frame.source.path, branch.line) for branch in statement.branches]
+    if True in verdicts:
+        verdicts = [verdict is True for verdict in verdicts]
     if True in verdicts and walk.outer is not None:  # what a wrapper does not do as things are is nobody's
         return statements.in_place(walk, frame, statement.branches[verdicts.index(True)].body)
     for branch, verdict in zip(statement.branches, verdicts, strict=True):

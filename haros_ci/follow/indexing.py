@@ -51,6 +51,10 @@ def indexed(walk: Walk, frame: Frame, expression: syntax.Subscript) -> Value:  #
                 return NONE  # yaml-cpp: an undefined node
     if isinstance(container, Object) and (part := _of_object(walk, frame, container, key)) is not None:
         return part
+    if isinstance(container, Mapped) and frame.source.separator == ".":
+        pairs = container.content.value
+        if isinstance(pairs, dict) and isinstance(key, Known) and issubclass(key.kind, (str, int)):
+            thrown.throws(walk, thrown.KEY)
     cells = container.content.value if isinstance(container, Sequence) else ()
     if isinstance(cells, tuple) and isinstance(container, Sequence) and isinstance(key, Known):
         if frame.source.separator == ".":

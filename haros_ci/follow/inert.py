@@ -9,6 +9,7 @@ from dataclasses import replace
 from haros_ci import syntax
 from haros_ci.follow import call_arguments, lookup, methods, partials, thrown
 from haros_ci.follow.frames import Frame
+from haros_ci.follow.ros import qos_profiles
 from haros_ci.follow.walk import Walk
 from haros_ci.index.index import Source
 from haros_ci.index.mentions import last
@@ -62,7 +63,23 @@ def may_make(
         any(a.value.__class__ in CALLABLE and _makes(walk, a.value) for a in args)
         or any(value.__class__ in CALLABLE and _makes(walk, value) for value in function.bound)
         or (function.source.separator == "." and function.this is not None and _holds(walk, function.this))
+        or (function.source.separator == "." and isinstance(function.frame, Frame) and _calls_outer(walk, function))
     )
+
+
+def _calls_outer(walk: Walk, function: Callable) -> bool:
+    """Whether a Python function calls a parameter of the function around it that holds one that makes something."""
+    frame = function.frame
+    if (
+        not isinstance(frame, Frame)
+        or frame.function is None
+        or frame.function.kind == "module"
+        or function.function.body is None
+    ):
+        return False
+    called = walk.relevance.names(function.function.body, function.source)
+    cells = [frame.find(parameter.name) for parameter in frame.function.parameters if parameter.name in called]
+    return any(cell is not None and isinstance(cell.value, Callable) and _makes(walk, cell.value) for cell in cells)
 
 
 def _holds(walk: Walk, this: Object) -> bool:
@@ -122,7 +139,13 @@ def is_inert(
             return False
     if function.this is not None and not _only_numbers(function.this, changed):
         return False
-    return True
+    return not any(_is_profile(argument) for argument in args[: len(definition.parameters)])
+
+
+def _is_profile(argument: call_arguments.PassedArgument) -> bool:
+    """Whether a function is given a quality of service, whose methods change what no assignment names."""
+    value = argument.value.cell.value if isinstance(argument.value, Pointer) else argument.value
+    return isinstance(value, Object) and value.name in qos_profiles.CLASSES
 
 
 Pointers = dict[str, tuple[tuple[Source, str, syntax.Init | None, Type], ...]]

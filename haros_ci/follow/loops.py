@@ -7,13 +7,13 @@ from collections.abc import Callable
 from functools import partial
 
 from haros_ci import syntax
-from haros_ci.follow import beside, expressions, follow, statements, static_types, thrown, widening
+from haros_ci.follow import beside, copies, expressions, follow, statements, static_types, thrown, widening
 from haros_ci.follow.frames import BOUND, BREAK, NEXT, Frame, Loop
 from haros_ci.follow.made import forget_dead, go_back, keep
 from haros_ci.follow.walk import TURNS, Walk
 from haros_ci.model.location import Location
 from haros_ci.syntax import Block, Expression, Type
-from haros_ci.values.abstract import Cell, Opaque, Value, tick
+from haros_ci.values.abstract import Cell, Object, Opaque, Value, tick
 
 #: Steps after which the turns of a loop are no longer gone through one by one; those of rehearsals in it that do not count.
 LONG, REHEARSED = 2_000, 8_000
@@ -184,6 +184,13 @@ def for_each(walk: Walk, frame: Frame, statement: syntax.Each) -> str:
                 frame.declare(name, value)
             else:
                 inner = value.value if isinstance(value, Cell) else value
+                if isinstance(inner, Object) and frame.source.separator == "::" and copies.changes(walk, statement):
+                    held = (
+                        resolved
+                        if resolved.name not in ("", "auto")
+                        else _element_type(walk, frame, iterable, resolved)
+                    )
+                    inner = copies.copied(walk, inner, held)
                 frame.declare(name, Cell(inner, resolved if resolved.name not in ("", "auto") else None))
             return statements.execute(walk, frame, body)
         finally:

@@ -87,9 +87,9 @@ def _of_base(walk: Walk, value: Object, name: str, frame: Frame) -> Cell | None:
         return None
     source, definition = value.definition
     meant = walk.type_in(syntax.Type(head), frame).name
-    lineage = _lineage(walk, source, definition)
-    owners = [item for item in lineage if item[1].name in (meant, head)]
-    owners = owners or [item for item in lineage if item[1].name.endswith(f"::{head}")]  # the injected class name
+    every = lineage(walk, source, definition)
+    owners = [item for item in every if item[1].name in (meant, head)]
+    owners = owners or [item for item in every if item[1].name.endswith(f"::{head}")]  # the injected class name
     found = methods.field_of(walk, *owners[0], last, {}) if len(owners) == 1 else None
     if found is None or found[1].is_static:
         return None
@@ -102,7 +102,7 @@ def _of_base(walk: Walk, value: Object, name: str, frame: Frame) -> Cell | None:
     return value.fields[key]
 
 
-def _lineage(walk: Walk, source: Source, definition: Class) -> list[tuple[Source, Class]]:
+def lineage(walk: Walk, source: Source, definition: Class) -> list[tuple[Source, Class]]:
     """A class of C++ and its bases in the workspace."""
     key = ("lineage", id(definition))
     if key not in walk.found:

@@ -153,6 +153,12 @@ def is_any(walk: Walk, function: Function) -> bool:
     return ("any", id(function)) in walk.found
 
 
+def original(walk: Walk, function: Function) -> Function:
+    """The function that *function* stands for: the first where it is several."""
+    found: Function = walk.found.get(("any", id(function)), function)
+    return found
+
+
 def decorated(walk: Walk, function: Function) -> Function:
     """A Python function as its decorators leave it: with results that are not known where they may do anything."""
     for decorator in function.decorators:
@@ -237,7 +243,7 @@ def _made(
     found: Function | None = walk.found.get(key)
     if found is None:
         found = walk.found[key] = syntax.replace(functions[0], body=body, guards=guards)
-        walk.found["any", id(found)] = found
+        walk.found["any", id(found)] = functions[0]
     return found
 
 

@@ -7,7 +7,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from haros_ci.follow import call_arguments
-from haros_ci.values.abstract import Callable, Cell, Object, Opaque, Value
+from haros_ci.values.abstract import NONE, Callable, Cell, Known, Mapped, Object, Opaque, Sequence, Value
 
 if TYPE_CHECKING:
     from haros_ci.follow.call_arguments import PassedArgument
@@ -41,6 +41,54 @@ def called(value: Object, args: tuple[PassedArgument, ...]) -> tuple[Value, tupl
         else:
             named.append(call_arguments.PassedArgument(cell.value, None, cell.type, name))
     return value.fields[_FUNCTION].value, (*first, *args, *named)
+
+
+#: Where functions that call back take a tuple of arguments for that, and a dictionary of keywords (docs.python.org/3/library/threading.html).
+_THREADS = {"threading.Thread": (3, 4), "threading.Timer": (2, 3)}
+#: Where a subscriber takes what its callback is given after the message (rospy/topics.py).
+_AFTER = {"rospy.Subscriber": 3}
+
+
+def given(call: str, function: Value, args: tuple[PassedArgument, ...]) -> Value:
+    """*function* as the *call* that it is given to calls it back, with the arguments that this takes for it."""
+    if call in _THREADS:
+        first, second = (_argument(args, *where) for where in zip(("args", "kwargs"), _THREADS[call], strict=True))
+        passed = (*_positional(first), *_keywords(second))
+        return partial(function, passed) if passed and isinstance(function, (Callable, Object)) else function
+    after = _argument(args, "callback_args", _AFTER[call]) if call in _AFTER else None
+    if after is None or after == NONE or not isinstance(function, Callable):
+        return function
+    return replace(function, bound=(*function.bound, None, after))
+
+
+def _argument(args: tuple[PassedArgument, ...], name: str, number: int) -> Value | None:
+    positional = [argument for argument in args if not argument.keyword]
+    named = next((argument.value for argument in args if argument.keyword == name), None)
+    return named if named is not None else positional[number].value if number < len(positional) else None
+
+
+def _positional(value: Value | None) -> tuple[PassedArgument, ...]:
+    if value is None or value == NONE:
+        return ()
+    cells = value.content.value if isinstance(value, Sequence) else None
+    if isinstance(cells, tuple):
+        return tuple(call_arguments.PassedArgument(cell.value, None, cell.type) for cell in cells)
+    if isinstance(value, Known) and isinstance(value.value, (list, tuple)):
+        return tuple(call_arguments.PassedArgument(Known(item)) for item in value.value)
+    return (call_arguments.PassedArgument(Opaque(call_arguments.UNPACKED), keyword="*"),)
+
+
+def _keywords(value: Value | None) -> tuple[PassedArgument, ...]:
+    if value is None or value == NONE:
+        return ()
+    pairs = value.content.value if isinstance(value, Mapped) else None
+    if isinstance(pairs, dict) and all(isinstance(key, str) for key in pairs):
+        return tuple(
+            call_arguments.PassedArgument(cell.value, None, cell.type, str(key)) for key, cell in pairs.items()
+        )
+    if isinstance(value, Known) and isinstance(value.value, dict):
+        return tuple(call_arguments.PassedArgument(Known(item), keyword=str(key)) for key, item in value.value.items())
+    return (call_arguments.PassedArgument(Opaque(call_arguments.UNPACKED), keyword="**"),)
 
 
 def callback(value: Object) -> Value | None:

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Python: decorators of the workspace that note functions (``@register("name")``): they are called as the module is loaded.
 
-A decorated function itself stays what it is: what a decorator puts around it is not followed.
+What they put around functions is ``around``'s.
 """
 
 from __future__ import annotations
@@ -14,36 +14,38 @@ from haros_ci.follow.frames import Frame
 from haros_ci.follow.walk import Walk
 from haros_ci.index.index import Source
 from haros_ci.model.location import Location
-from haros_ci.syntax import Expression, Function
-from haros_ci.values.abstract import Callable
+from haros_ci.syntax import Class, Function
+from haros_ci.values.abstract import Callable, ClassValue
 
 #: What is said of a decorator that makes something around a function.
-AROUND = "what the decorator {} puts around functions is not followed"
+AROUND = "what the decorator {} puts around {} is not followed"
 #: Decorated functions of a module that are looked at.
 MOST = 200
 
 
 def note(walk: Walk, frame: Frame, source: Source) -> None:
-    """Call the decorators of the functions of a module, whose body has been followed, that put them into lists and maps."""
-    for function in [one for one in source.program.functions if one.decorators][:MOST]:
-        if function.owner or "." in function.name or function.kind != "function":
-            continue
+    """Call the decorators of the functions and classes of a module, whose body has been followed, that put them into lists and maps."""
+    every: list[Function | Class] = [*source.program.functions, *source.program.classes]
+    decorated = [one for one in every if one.decorators and _is_outer(one)]
+    for function in sorted(decorated, key=lambda one: (one.line, one.column))[:MOST]:
         for decorator in reversed(function.decorators):
             callee = decorator.callee if isinstance(decorator, syntax.Call) else decorator
             if not isinstance(callee, syntax.Name):
                 continue
-            if _makes(walk, callee.name):
-                walk.gaps.setdefault(AROUND.format(callee.name), Location(source.path, function.line))
+            if isinstance(function, Class) and makes(walk, callee.name):
+                walk.gaps.setdefault(AROUND.format(callee.name, "classes"), Location(source.path, function.line))
             if not _notes(walk, callee.name):
                 continue
             value = expressions.evaluate(walk, frame, decorator)
             if isinstance(value, Callable):
-                _call(walk, frame, value, Callable(source, function), decorator)
+                noted = Callable(source, function) if isinstance(function, Function) else ClassValue(source, function)
+                where = Location(source.path, function.line)
+                calls.apply(walk, frame, value, (call_arguments.PassedArgument(noted),), (), where, decorator)
 
 
-def _call(walk: Walk, frame: Frame, decorator: Callable, function: Callable, written: Expression) -> None:
-    location = Location(function.source.path, function.function.line)
-    calls.apply(walk, frame, decorator, (call_arguments.PassedArgument(function),), (), location, written)
+def _is_outer(one: Function | Class) -> bool:
+    """Whether a function or class stands in no other."""
+    return "." not in one.name and (isinstance(one, Class) or (not one.owner and one.kind == "function"))
 
 
 def _notes(walk: Walk, name: str) -> bool:
@@ -56,7 +58,7 @@ def _notes(walk: Walk, name: str) -> bool:
     return bool(walk.found[key])
 
 
-def _makes(walk: Walk, name: str) -> bool:
+def makes(walk: Walk, name: str) -> bool:
     """Whether a function of that name, or one inside of it, may make something beside what it calls of the function that it is given."""
     key = ("makes around", name)
     if key not in walk.found:

@@ -168,7 +168,9 @@ def _side(
     place = (statement.line, statement.column) if is_then else (statement.else_line, statement.else_column)
     with walk.under("if" if is_then else "else", statement.text, frame, *place):
         block = statement.then if is_then else statement.other
+        walk.holding += holds is is_then
         ended = follow_branch(walk, frame, block, holds is None or holds is is_then, lacking=lacking)
+        walk.holding -= holds is is_then
     writes = walk.state.undo(mark)
     is_new = len(frame.early) > known and holds is not is_then
     if is_new and early.is_aside(walk, frame, statement.test, is_then):
@@ -247,7 +249,7 @@ def _throw(walk: Walk, frame: Frame, statement: syntax.Throw) -> str:
         thrown.may_throw(walk)
         early.throws(walk, frame, walk.trials[-1])
     else:
-        thrown.throws(walk)
+        thrown.throws(walk, thrown.classes(walk, frame, statement))
     return THROW
 
 
@@ -270,7 +272,9 @@ def _continue(walk: Walk, frame: Frame, statement: syntax.Continue) -> str:
 
 def _define(walk: Walk, frame: Frame, statement: syntax.NestedFunction) -> str:
     function = frame.source.program.functions[statement.function]
-    made = abstract.Callable(frame.source, function, frame.this, frame=expressions.kept(frame))
+    python = frame.source.separator == "."
+    around = expressions.with_defaults(walk, frame, function) if python else expressions.kept(frame)
+    made = abstract.Callable(frame.source, function, frame.this, frame=around)
     frame.declare(statement.name, Cell(made))
     return NEXT
 

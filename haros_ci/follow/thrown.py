@@ -9,6 +9,7 @@ Outside of a ``try`` that catches it a node is followed as if its parameters wer
 
 from __future__ import annotations
 
+import builtins
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
@@ -33,6 +34,14 @@ INDEX, KEY, NUMBER = ("IndexError", "LookupError"), ("KeyError", "LookupError"),
 ATTRIBUTE = ("AttributeError",)
 #: What is thrown where a parameter is read that ROS 2 has not declared.
 UNDECLARED = ("ParameterNotDeclared", "runtime_error", "std::exception")
+#: Exceptions of C++ with their bases but for std::exception ([std.exceptions]).
+_STANDARD = {
+    **{name: (name, "runtime_error") for name in ("runtime_error", "range_error", "overflow_error", "underflow_error")},
+    **{
+        name: (name, "logic_error")
+        for name in ("logic_error", "invalid_argument", "domain_error", "length_error", "out_of_range")
+    },
+}
 #: Places where one block may be left that are kept; the last one stands for all after it.
 PLACES = 16
 
@@ -113,7 +122,28 @@ def is_read(walk: Walk, found: object, names: tuple[str, ...]) -> None:
 
 
 def _depth(walk: Walk) -> int:
-    return len(walk.conditions) + len(walk.doubts)
+    """How many conditions there are around what is followed that are not known to hold, and doubts."""
+    return len(walk.conditions) - walk.holding + len(walk.doubts)
+
+
+def classes(walk: Walk, frame: Frame, statement: syntax.Throw) -> tuple[str, ...]:
+    """The names of the class that a ``throw`` or ``raise`` names, and of its bases; none where that is not known."""
+    value = statement.value
+    name = syntax.name_of(value.callee if type(value) is syntax.Call else value) if value is not None else ""
+    if not name:
+        return ()
+    short, found = name.rpartition("::")[2].rpartition(".")[2], [name]
+    known = getattr(builtins, short, None) if frame.source.separator == "." else None
+    if isinstance(known, type) and issubclass(known, BaseException):
+        return tuple(base.__name__ for base in known.__mro__ if base is not object)
+    if short in _STANDARD:
+        return (*_STANDARD[short], "std::exception")
+    owner = walk.class_of(
+        walk.type_in(syntax.Type(name), frame).name if frame.source.separator == "::" else name, frame.source
+    )
+    bases = owner[1].bases if owner is not None else ()
+    found += [base.name for base in bases]
+    return tuple(item.rpartition("::")[2].rpartition(".")[2] for item in found)
 
 
 def _catches_all(handler: syntax.Handler) -> bool:

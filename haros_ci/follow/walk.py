@@ -32,10 +32,8 @@ from haros_ci.values.abstract import NONE, Cell, Known, Object, Opaque, Value, j
 from haros_ci.values.cells import Slot
 from haros_ci.values.state import Held, State, Writes
 
-#: Statements and calls that one node may take, and as many in rehearsals; what is beyond is named in a notification.
-STEPS = 80_000
-#: The same for a node that is followed with all plug-ins of the workspace.
-WITH_PLUGINS = 120_000
+#: Statements and calls that one node may take, and as many in rehearsals (what is beyond is named in a notification); and one with all plug-ins of the workspace.
+STEPS, WITH_PLUGINS = 80_000, 120_000
 #: Calls inside calls.
 DEPTH = 28
 #: Callbacks of one node that are followed, and those of one function that are registered by callbacks.
@@ -80,6 +78,8 @@ class Walk:
     target: str = ""
     state: State = field(default_factory=State)
     conditions: list[Condition] = field(default_factory=list)
+    #: Of these, those that are known to hold.
+    holding: int = 0
     made: dict[Key, MadeEntity] = field(default_factory=dict)
     #: Timers and rates by place, period and node, each with the object whose method makes it (``ros.paces``).
     paces: dict[Key, tuple[MadeEntity, Object | None]] = field(default_factory=dict)

@@ -87,7 +87,7 @@ class Directive(Record, frozen=True):
 class Class(Record, frozen=True):
     """A class or struct with its bases and its own data members; its methods are functions with it as owner.
 
-    *specialises* are the template arguments that ``struct C<int>`` is written for, with *templates* in them where it is partial.
+    *specialises* are the template arguments that ``struct C<int>`` is written for, with *templates* in them where it is partial; *decorators* are Python's.
     """
 
     name: str
@@ -97,6 +97,7 @@ class Class(Record, frozen=True):
     column: int
     templates: tuple[str, ...] = ()
     specialises: tuple[Argument, ...] = ()
+    decorators: tuple[Expression, ...] = ()
 
 
 class Alias(Record, frozen=True):

@@ -252,9 +252,7 @@ PYTHON_REACHED = (
     case("class body", 'class W:\n    p = make("a")', "/a"),
 )
 NOT_REACHED = because("what a default argument calls is not seen to matter", "default argument that makes")
-NOT_REACHED_IN_PYTHON = because(
-    "a call of what a decorator returned is skipped as inert", "wrapper by a decorator"
-) | because("default arguments are not carried out", "default argument")
+NOT_REACHED_IN_PYTHON = because("default arguments are not carried out", "default argument")
 
 
 @table(REACHED, NOT_REACHED)

@@ -258,7 +258,7 @@ UNKNOWN = (
     case(
         "key that is not there, caught",
         'd = {"k": "a"}\ntry:\n    s = d["x"]\nexcept KeyError:\n    s = "b"\nPUB(s)',
-        "/?",
+        "/b",
     ),
     case("key that is not there, as text", 'd = {"k": "a"}\nPUB(str(d["x"]))', "/?"),
     case("key that is not in a parameter", 'd = rospy.get_param("~d", {"k": "a"})\nPUB(str(d["x"]))', "/?"),

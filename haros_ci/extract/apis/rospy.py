@@ -11,6 +11,7 @@ ROWS: tuple[dict[str, object], ...] = (
     # Threads: what they run is called later (docs.python.org/3/library/threading.html).
     {"class": "threading.Thread", "entry": ["run"]},
     {"call": "threading.Thread", "calls": ["target", "1"]},
+    {"call": "threading.Timer", "calls": ["function", "1"]},
     {"call": "thread.start_new_thread", "calls": ["0"]},
     {"call": "_thread.start_new_thread", "calls": ["0"]},
 

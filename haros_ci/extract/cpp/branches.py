@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import re
+from typing import NamedTuple
 
 from haros_ci.extract.cpp import blanks
 
@@ -16,10 +17,21 @@ _LIST = re.compile(r"[=,({\]]\s*\{\Z")
 _NEVER = re.compile(r"\s*#\s*if\s+(?:0|false)\s*")
 
 
-def single(text: str) -> str:
-    """*text*, free of comments, with one branch left of each conditional that splits braces or a statement."""
+class Split(NamedTuple):
+    """The one branch that is left of a conditional: its *first* and *last* line, *line* and *text* of its directive, and the line of the *next* one."""
+
+    first: int
+    last: int
+    line: int
+    text: str
+    next: int
+
+
+def single(text: str) -> tuple[str, tuple[Split, ...]]:
+    """*text*, free of comments, with one branch left of each conditional that splits braces or a statement; and these branches."""
     bare = blanks.skeleton(text)
     blanked: list[tuple[int, int]] = []
+    left: list[Split] = []
     unfinished: list[list[tuple[int, int]]] = []
     for match in _DIRECTIVE.finditer(bare):
         word = match.group(1)
@@ -29,8 +41,27 @@ def single(text: str) -> str:
         elif unfinished:
             unfinished[-1].append(here)
             if word == "endif":
-                blanked.extend(_cuts(bare, unfinished.pop()))
-    return _without(text, blanked)
+                directives = unfinished.pop()
+                cuts = _cuts(bare, directives)
+                blanked.extend(cuts)
+                if cuts:
+                    left.append(_left(text, directives, _kept(bare, directives)))
+    return _without(text, blanked), tuple(left)
+
+
+def _kept(bare: str, directives: list[tuple[int, int]]) -> int:
+    """The number of the branch that is left: the first; of ``#if 0`` the next, and alone nothing is compiled of it."""
+    return 1 if _NEVER.fullmatch(bare[slice(*directives[0])]) else 0
+
+
+def _left(text: str, directives: list[tuple[int, int]], number: int) -> Split:
+    number = min(number, len(directives) - 1)
+    (start, end), follows = directives[number], directives[min(number + 1, len(directives) - 1)][0]
+    last = text.count("\n", 0, follows)
+    line = text.count("\n", 0, start) + 1
+    return Split(
+        text.count("\n", 0, end) + 2, last, line, " ".join(text[start:end].replace("\\\n", " ").split()), last + 1
+    )
 
 
 def _cuts(bare: str, directives: list[tuple[int, int]]) -> list[tuple[int, int]]:
@@ -41,7 +72,7 @@ def _cuts(bare: str, directives: list[tuple[int, int]]) -> list[tuple[int, int]]
     is_inside = before.endswith(_MIDDLE) or _LIST.search(before) is not None
     if not is_inside and all(_is_whole(bare[start:end], after) for start, end in spans):
         return []
-    kept = 1 if _NEVER.fullmatch(bare[slice(*directives[0])]) else 0  # of #if 0 alone nothing is compiled
+    kept = _kept(bare, directives)
     return [*directives, *(span for index, span in enumerate(spans) if index != kept)]
 
 
@@ -87,7 +118,7 @@ def first(text: str) -> str:
             unfinished[-1].append(here)
             if word == "endif":
                 directives = unfinished.pop()
-                kept = 1 if _NEVER.fullmatch(bare[slice(*directives[0])]) else 0
+                kept = _kept(bare, directives)
                 spans = [(directives[i][1], directives[i + 1][0]) for i in range(len(directives) - 1)]
                 blanked += [*directives, *(span for index, span in enumerate(spans) if index != kept)]
     return _without(text, blanked)

@@ -8,7 +8,7 @@ from collections.abc import Callable
 from tree_sitter import Node
 
 from haros_ci import syntax
-from haros_ci.extract.cpp import calls, functions, literals, types
+from haros_ci.extract.cpp import calls, functions, literals, splits, types
 from haros_ci.extract.cpp.grammar import ERROR, field, kinds, table
 from haros_ci.extract.cpp.unit import DEEPEST, TOO_DEEP, Unit
 
@@ -50,6 +50,8 @@ def expression(unit: Unit, node: Node, depth: int) -> syntax.Expression:
     if node.has_error and kind not in _MENDED and is_damaged(node):
         return damaged(unit, node, node.children, depth + 1)
     handler = _HANDLERS.get(kind)
+    if handler is not None and unit.found.splits and (split := unit.split(node)) is not None:
+        return splits.expression(unit, node, depth, split, expression)
     return unit.opaque(node) if handler is None else handler(unit, node, depth + 1)
 
 

@@ -24,28 +24,36 @@ def read_cpp(text: str) -> Program:
         return Program("cpp", problems=((1, f"larger than {LARGEST} characters: the file is not read"),))
     text = text.removeprefix("\ufeff")
     readable = blanks.readable(text)
-    data, root = tree_of(readable)
+    data, root, splits = _tree(readable)
     if root is None:
         return Program("cpp", problems=((1, "too unlike C++ to parse in reasonable time: the file is not read"),))
     unit = unit_of(data)
+    unit.found.splits = splits
     scopes.declare(unit, [root], CppScope(), 0)
     return _program(unit, readable)
 
 
 def tree_of(text: str) -> tuple[bytes, Node | None]:
     """The tree of *text* with the least in errors, and what was parsed for it: the same length, some of it blank."""
+    data, root, _ = _tree(text)
+    return data, root
+
+
+def _tree(text: str) -> tuple[bytes, Node | None, tuple[branches.Split, ...]]:
+    """The same, and the branches that are left of conditionals of which only one can be parsed."""
+    splits: tuple[branches.Split, ...] = ()
     data = text.encode("utf-8", "replace")
     root = parse(data)
-    for reduce in (blanks.simplified, branches.single):
+    for reduce in (lambda text: (blanks.simplified(text), ()), branches.single):
         if root is None or not root.has_error:
             break
-        reduced = reduce(text)
+        reduced, left = reduce(text)
         if reduced != text:
             other = reduced.encode("utf-8", "replace")
             other_root = parse(other)
             if other_root is not None and _unread(other_root) < _unread(root):
-                text, data, root = reduced, other, other_root
-    return data, root
+                text, data, root, splits = reduced, other, other_root, left
+    return data, root, splits
 
 
 def _unread(root: Node) -> int:

@@ -15,6 +15,7 @@ from haros_ci.extract.cpp import (
     method_pointers,
     preprocessor,
     scopes,
+    splits,
     switches,
     types,
 )
@@ -52,7 +53,9 @@ def block(unit: Unit, nodes: list[Node], depth: int) -> syntax.Block:
         return ()
     for node in nodes:
         handler = _HANDLERS.get(node.kind_id)
-        if handler is not None:
+        if handler is not None and unit.found.splits:
+            splits.statement(unit, node, depth + 1, out, handler)
+        elif handler is not None:
             handler(unit, node, depth + 1, out)
     return tuple(out)
 

@@ -11,6 +11,7 @@ from dataclasses import dataclass, field
 from tree_sitter import Node
 
 from haros_ci import syntax
+from haros_ci.extract.cpp.branches import Split
 from haros_ci.syntax import Alias, Class, Field, Function, Type
 
 #: Statements and expressions nested deeper than this are unknown: what reads them may recurse.
@@ -24,7 +25,8 @@ _LONGEST_TEXT = 200
 class Found:
     """The contents of the Program under construction, shared by the file and its macro expansions.
 
-    *guarded* are the macros that are defined under an ``#if``; *expansions* counts expansions; *reread* are the offsets of what was parsed again, whose errors do not matter.
+    *guarded* are the macros that are defined under an ``#if``; *expansions* counts expansions; *reread* are the offsets of what was parsed again, whose errors do not matter; *splits*
+    are branches of conditionals of which the others were not read.
     """
 
     functions: list[Function | None] = field(default_factory=list)
@@ -40,6 +42,9 @@ class Found:
     callable_macros: dict[str, tuple[tuple[str, ...], str]] = field(default_factory=dict)
     expansions: int = 0
     reread: list[tuple[int, int]] = field(default_factory=list)
+    splits: tuple[Split, ...] = ()
+    #: The one of them that what is read is known to stand in.
+    within: Split | None = None
 
 
 @dataclass(slots=True)
@@ -83,6 +88,18 @@ class Unit:
         if self.continuations:
             column -= bisect_left(self.continuations, offset) - bisect_left(self.continuations, start)
         return line, column
+
+    def split(self, node: Node, whole: bool = True) -> Split | None:
+        """The branch alone left of a conditional in which *node* begins, and ends if it is *whole*; None where that is known already."""
+        if self.fixed is not None or self.level:
+            return None
+        first = self.position(node)[0]
+        for split in self.found.splits:
+            if split is not self.found.within and split.first <= first <= split.last:
+                last = self.locate(max(node.end_byte - 1, node.start_byte) + self.shift)[0]
+                if not whole or last <= split.last:
+                    return split
+        return None
 
     def opaque(self, node: Node) -> syntax.Expression:
         """The expression that stands for what has no other form."""

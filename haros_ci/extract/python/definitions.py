@@ -72,7 +72,8 @@ def define_class(node: ast.ClassDef, scope: PythonScope, depth: int, lower: Lowe
     file.classes.append(Class(name, bases, (), line, column, _templates(node)))
     lower(node.body, PythonScope(file, "class", name, None, bindings), depth)
     fields = bound(bindings, file.source, set())
-    file.classes[index] = Class(name, bases, fields, line, column, _templates(node))
+    marks = tuple([expression(item, scope, depth) for item in node.decorator_list])
+    file.classes[index] = Class(name, bases, fields, line, column, _templates(node), decorators=marks)
     return name
 
 

@@ -9,7 +9,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from haros_ci import syntax
-from haros_ci.follow import beside, callbacks, conversions, handles
+from haros_ci.follow import beside, callbacks, conversions, handles, partials
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import objects as library_objects
 from haros_ci.follow.ros import (
@@ -269,6 +269,7 @@ def _apply(applied: selectors.Applied, made: Object | None) -> Value | None:  # 
     for where in row.calls:
         value = selectors.select_value(applied, where)
         if value is not None and not isinstance(value, selectors.TypeValue):
+            value = partials.given(row.call, value, applied.args)
             callbacks.register(walk, value, applied.args, row.call.rpartition("_parameters")[2] in UPDATES)
             if row.call.startswith(beside.BEGINNING):
                 beside.note(walk, value)

@@ -254,14 +254,17 @@ def test_blocks_under_a_conditional_go_on_with_the_case_before_them(text: str, c
 
 def test_a_conditional_that_splits_braces_is_read_in_its_first_branch() -> None:
     text = "#ifdef A\nif (a) {\n#else\nif (b) {\n#endif\nc(); }\nd();"
+    compiled = ("if", ("compiled", ((2, 1, "#ifdef A"),)), A, ("?", "a"))
     assert body(text) == (
-        ("if", 3, 1, "a", A, (call("c", 7, 1),), 0, 0, ()),
+        ("if", 3, 1, "a", compiled, (call("c", 7, 1),), 0, 0, ()),
         call("d", 8, 1),
     )
 
 
 def test_a_conditional_within_a_list() -> None:
-    assert body("f(a,\n#ifdef A\nb,\n#endif\nc);") == (call("f", 2, 1, A, B, C),)
+    assert body("f(a,\n#ifdef A\nb,\n#endif\nc);") == (
+        call("f", 2, 1, A, ("if", ("compiled", ((3, 1, "#ifdef A"),)), B, ("?", "b")), C),
+    )
 
 
 @pytest.mark.parametrize(

@@ -145,6 +145,7 @@ def test_classes_and_their_fields() -> None:
             ),
             2,
             1,
+            decorators=(("name", "d"),),
         ),
         Class("A.D", (), (), 13, 3),
     )

@@ -1,0 +1,69 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What stands in the one branch left of a conditional that splits a statement or braces: it is there where that branch is compiled."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from tree_sitter import Node
+
+from haros_ci import syntax
+from haros_ci.extract.cpp.branches import Split
+from haros_ci.extract.cpp.grammar import field, kinds
+from haros_ci.extract.cpp.unit import Unit
+
+_CALLED = kinds("call_expression")
+_MEMBERS = kinds("field_expression template_function qualified_identifier subscript_expression")
+_CONSEQUENCE = field("consequence")
+_ALTERNATIVE = field("alternative")
+
+Statements = list[syntax.Statement]
+
+
+def statement(
+    unit: Unit, node: Node, depth: int, out: Statements, lower: Callable[[Unit, Node, int, Statements], None]
+) -> None:
+    """Lower a statement to *out*: under the ``#if`` in whose branch it stands; an ``else`` behind that counts without the branch, too."""
+    split = unit.split(node) or _cut(unit, node)
+    if split is None:
+        lower(unit, node, depth, out)
+        return
+    inside: Statements = []
+    before, unit.found.within = unit.found.within, split
+    lower(unit, node, depth, inside)
+    unit.found.within = before
+    branches = [syntax.Branch(split.line, 1, split.text, tuple(inside))]
+    last = inside[-1] if inside else None
+    last = last.body[-1] if type(last) is syntax.Nested and last.body else last
+    previous = out[-1] if out else None
+    if type(last) is syntax.If and last.else_line and unit.split(node) is None:
+        branches.append(syntax.Branch(split.next, 1, "#else", last.other))
+    elif type(previous) is syntax.Preprocessor and previous.branches[-1].line == split.line:
+        branches = [syntax.replace(branches[0], body=(*previous.branches[-1].body, *inside))]
+        out.pop()
+    out.append(syntax.Preprocessor(tuple(branches)))
+
+
+def _cut(unit: Unit, node: Node) -> Split | None:
+    """The branch in which an ``if`` begins whose ``else`` has its body behind it: ``#ifdef A``, ``if (x) f(); else``, ``#endif``."""
+    then, other = node.child_by_field_id(_CONSEQUENCE), node.child_by_field_id(_ALTERNATIVE)
+    if then is None or other is None:
+        return None
+    split = unit.split(node, whole=False)
+    ended = unit.locate(then.end_byte - 1 + unit.shift)[0]
+    return split if split is not None and ended <= split.last < unit.position(other.children[-1])[0] else None
+
+
+def expression(
+    unit: Unit, node: Node, depth: int, split: Split, lower: Callable[[Unit, Node, int], syntax.Expression]
+) -> syntax.Expression:
+    """An expression in such a branch, of a value that is not known where that is not compiled; what is called is called whatever its name."""
+    before, unit.found.within = unit.found.within, split
+    found = lower(unit, node, depth)
+    unit.found.within = before
+    around: Node | None = node
+    while around is not None and (above := around.parent) is not None and above.children[0] == around:
+        if above.kind_id in _CALLED:
+            return found
+        around = above if above.kind_id in _MEMBERS else None
+    return syntax.Conditional(syntax.Compiled(((split.line, 1, split.text),)), found, unit.opaque(node))

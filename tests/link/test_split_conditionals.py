@@ -1,0 +1,60 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Conditionals that split a statement or braces, of which one branch is parsed: what stands in it is there where that is compiled."""
+
+from __future__ import annotations
+
+import pytest
+from follow_kit import cpp_files, follow, main, node
+
+from haros_ci.model.architecture import Endpoint
+
+
+def made(body: str, definition: str = "") -> list[str]:
+    """The publishers of a program with this in ``main``; ``!`` for what is ruled out, ``#`` for what stands under an ``#if``."""
+    files = cpp_files(main(body))
+    files["p/CMakeLists.txt"] += f"target_compile_definitions(n PRIVATE {definition})\n" if definition else ""
+    return sorted(map(_view, (end for end in node(follow(files)).endpoints if end.kind == "publishers")))
+
+
+def _view(end: Endpoint) -> str:
+    under = "#" if any(condition.statement == "#if" for condition in end.conditions) else ""
+    return end.name + under + ("!" if end.is_ruled_out else "")
+
+
+ELSE = 'bool x = true;\n#ifdef A\nif (x) {\n  ADV("then", 1);\n} else\n#endif\n{\n  ADV("else", 1);\n}\n'
+OPENED = '#ifdef A\nADV("own", 1);\nif (p()) {\n#else\nif (q()) {\n#endif\n  ADV("both", 1);\n}\nADV("end", 1);\n'
+NAME = 'std::string s =\n#ifdef A\n"a"\n#else\n"b"\n#endif\n;\nADV(s, 1);\n'
+ARGUMENT = 'ADV(\n#ifdef A\n"a"\n#else\n"b"\n#endif\n, 1);\n'
+FURTHER = 'if (p()) ADV("one", 1);\n#ifdef A\nelse if (q()) { ADV("two", 1); }\n#endif\nelse { ADV("three", 1); }\n'
+
+
+@pytest.mark.parametrize(
+    ("body", "definition", "expected"),
+    [
+        (ELSE, "", ["/else#", "/then#"]),
+        (ELSE, "A", ["/else!", "/then#"]),
+        (OPENED, "", ["/both", "/end", "/own#"]),
+        (OPENED, "A", ["/both", "/end", "/own#"]),
+        (NAME, "", ["/?"]),
+        (NAME, "A", ["/a"]),
+        (ARGUMENT, "", ["/?"]),
+        (ARGUMENT, "A", ["/a"]),
+        (FURTHER, "", ["/one", "/three", "/two#"]),
+        # what does not stand in one
+        (
+            '#ifdef A\nADV("a", 1);\n#else\nADV("b", 1);\n#endif\n' + OPENED,
+            "A",
+            ["/a#", "/b#!", "/both", "/end", "/own#"],
+        ),
+        (OPENED.replace("#ifdef A", "#if 1"), "", ["/both", "/end", "/own#"]),
+        ('if (p()) { ADV("a", 1); } else { ADV("b", 1); }\n' + NAME, "A", ["/a", "/a", "/b"]),
+        (NAME.replace("#ifdef A", "#if 0"), "", ["/b"]),
+    ],
+)
+def test_the_branch_that_is_parsed(body: str, definition: str, expected: list[str]) -> None:
+    assert made(body, definition) == expected
+
+
+def test_what_is_called_is_called_by_the_name_that_is_read() -> None:
+    body = 'ros::Publisher p =\n#ifdef A\nnh.advertise<std_msgs::String>(\n#else\nadvertise(\n#endif\n"a", 1);\n'
+    assert [name.strip("#") for name in made(body)] == ["/a"]
