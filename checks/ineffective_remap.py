@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 
@@ -24,6 +25,11 @@ from haros_ci.api import (
 PARAMETERS = ("getters", "setters")
 
 
+_NODE = re.compile(r"<(/?)node\b(?:[^<>\"']|\"[^\"]*\"|'[^']*')*?(/?)>")
+_INCLUDE = re.compile(r"<include\b[^<>]*?\bfile\s*=\s*[\"']([^\"'<>]*)")
+_FOUND = re.compile(r"\$\((?:find|find-pkg-share|dirname)\b\s*([\w-]*)\)")
+
+
 @dataclass(slots=True)
 class _Used:
     """A rule as it stands in the launch file, with the nodes that have it."""
@@ -40,7 +46,9 @@ def check(system: System) -> Iterator[Finding]:
     # rules of the same nodes for one name, and copies of a list of rules in one file, are one slip
     alike: dict[tuple[str, ...], list[_Used]] = {}
     for used in rules.values():
-        if all(is_idle(node, rule) and not is_given_away(node, rule, system) for node, rule in used.nodes):
+        if not _reaches_others(used.rule, system) and all(
+            is_idle(node, rule) and not is_given_away(node, rule, system) for node, rule in used.nodes
+        ):
             kinds = sorted({f"{node.package}/{node.type}" for node, _ in used.nodes})
             alike.setdefault((used.rule.location.path, used.rule.source, *kinds), []).append(used)
     for group in alike.values():
@@ -82,6 +90,24 @@ def _finding(group: list[_Used]) -> Finding:
             *(((meant.location, f"{meant.word} {meant.original_name}"),) if meant is not None else ()),
         ),
     )
+
+
+def _reaches_others(rule: RemapRule, system: System) -> bool:
+    """Whether the rule stands before a file of another workspace that is included in its scope: nodes there may use the name."""
+    text = system.workspace.text(rule.location.path) if system.workspace is not None else ""
+    lines = text.split("\n")
+    line = rule.location.line or 0
+    if not text.lstrip().startswith("<") or not 0 < line <= len(lines):
+        return False
+    opened = False
+    before = (*lines[: line - 1], lines[line - 1][: (rule.location.column or 1) - 1])
+    for tag in _NODE.finditer("\n".join(before)):
+        opened = not tag[1] and not tag[2]
+    if opened:
+        return False
+    here = {*system.packages}
+    files = (include[1] for include in _INCLUDE.finditer("\n".join(lines[line - 1 :])))
+    return any(not here.issuperset(filter(None, _FOUND.findall(file))) for file in files)
 
 
 def _meant(node: SystemNode, rule: RemapRule) -> End | None:

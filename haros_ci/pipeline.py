@@ -68,7 +68,6 @@ from haros_ci.workspace.left_out import LeftOut
 from haros_ci.workspace.provenance import provenance
 
 Progress = Callable[[str], None]
-
 #: What is found out of a whole revision at once: what the checks say of its architecture, and what only all its code tells.
 ARCHITECTURE, STRUCTURE = "architecture", "structure"
 
@@ -115,9 +114,9 @@ def analyse(
         silence = silenced(workspace, settings, base, compared.runs, before_it)
         noticed = tuple(notices(workspace, past, silence))
     notes = (*settings.notes, *misfits, *idle_entries(runs, workspace, settings))
-    runs = tuple(described(run, selection) for run in weighed(compared.runs, compared.baseline, selection))
     report = Report(
-        runs=runs,
+        # absent results bring rules of their own
+        runs=tuple(described(run, selection) for run in weighed(compared.runs, compared.baseline, selection)),
         notifications=(
             *(Notification(Level.NOTE, note, configuration=True) for note in notes),
             *changed,

@@ -19,6 +19,8 @@ from functools import lru_cache, partial
 from types import ModuleType
 from typing import TYPE_CHECKING, Any, ClassVar, Generic, Protocol, TypeVar
 
+from haros_ci.bounded_yaml.words import explained
+
 if TYPE_CHECKING:
     import yaml
 
@@ -39,24 +41,6 @@ TAG = "tag:yaml.org,2002:"
 MERGE = TAG + "merge"
 
 Scalar = str | int | float | bool | None
-
-
-#: What the words of libyaml mean for who wrote the text.
-_MEANS = {
-    "found character that cannot start any token": "a tab stands in the indentation, or a text that begins with @, ` or % lacks quotes",
-    "mapping values are not allowed in this context": "a key is indented too far, or a text that has ': ' in it lacks quotes",
-    "did not find expected key": "the line is indented otherwise than those above it",
-    "did not find expected '-' indicator": "the line is indented otherwise than those above it",
-    "could not find expected ':'": "a line without a colon stands among keys",
-    "did not find expected ',' or ']'": "a bracket is not closed, or a comma is missing",
-    "did not find expected ',' or '}'": "a brace is not closed, or a comma is missing",
-    "found unexpected end of stream": "a quote is not closed",
-}
-
-
-def explained(problem: str) -> str:
-    """The parser's *problem*, and what it means where that is known."""
-    return f"{problem} ({_MEANS[problem]})" if problem in _MEANS else problem
 
 
 class YamlFault(Exception):
@@ -109,9 +93,7 @@ def nodes(text: str, limits: YamlLimits) -> Iterator[yaml.Node]:
     import yaml
 
     with _faults():
-        for node in yaml.compose_all(text, Loader=_loader()):
-            if node is not None:
-                yield node
+        yield from (node for node in yaml.compose_all(text, Loader=_loader()) if node is not None)
 
 
 def data(text: str, limits: YamlLimits) -> object:

@@ -7,24 +7,18 @@ from collections.abc import Callable
 from functools import partial
 
 from haros_ci import syntax
-from haros_ci.follow import alternatives, beside, early, expressions, follow, statements, static_types, thrown
-from haros_ci.follow.frames import BOUND, BREAK, CONTINUE, NEXT, Frame, Loop
+from haros_ci.follow import beside, expressions, follow, statements, static_types, thrown, widening
+from haros_ci.follow.frames import BOUND, BREAK, NEXT, Frame, Loop
 from haros_ci.follow.made import forget_dead, go_back, keep
 from haros_ci.follow.walk import TURNS, Walk
 from haros_ci.model.location import Location
 from haros_ci.syntax import Block, Expression, Type
-from haros_ci.values.abstract import Cell, Known, Mapped, Object, Opaque, Partial, Sequence, Value, tick
-from haros_ci.values.cells import Slot
-from haros_ci.values.state import certain, joined
+from haros_ci.values.abstract import Cell, Opaque, Value, tick
 
-#: Turns that are tried to find what a loop changes.
-REHEARSALS = 3
 #: Steps after which the turns of a loop are no longer gone through one by one; those of rehearsals in it that do not count.
 LONG, REHEARSED = 2_000, 8_000
 #: Why a turn may not be taken.
 SOME_PATHS = "what it is made for is an element of the list on some paths only"
-#: Turns around a loop from which on it is widened: 2 for each loop that is gone through, all of them in a rehearsal.
-NESTED = 8
 #: Why a value is not known after turns that are not gone through one by one, where a bound is reached.
 TOO_LONG = f"{BOUND}{LONG} steps for the turns of a loop is reached"
 TOO_MANY = f"{BOUND}{TURNS} turns of a loop is reached"
@@ -64,7 +58,7 @@ def loop(walk: Walk, frame: Frame, statement: syntax.Loop) -> str:
                 return ended
             current.turn = 0
             matters = _matters(walk, frame, body, test)
-            _widened(walk, frame, current, matters, line, one, after_and_test)
+            widening.widened(walk, frame, current, matters, statement, one, after_and_test)
             return _leave(walk, current, goes_on=True)
     finally:
         frame.scopes.pop()
@@ -127,16 +121,6 @@ def _holds(walk: Walk, frame: Frame, test: Expression | None) -> bool | None:
     return expressions.holds(walk, frame, test, expressions.evaluate(walk, frame, test))
 
 
-def _turn(
-    walk: Walk, frame: Frame, loop: Loop, body: Callable[[], str], after: Callable[[], None] | None = None
-) -> str:
-    """One turn of a loop, and what comes *after* it if the loop goes on."""
-    ended = _body(walk, frame, loop, body)
-    if ended == NEXT and after is not None:
-        after()
-    return ended
-
-
 def _counted(
     walk: Walk, frame: Frame, loop: Loop, number: int, body: Callable[[], str], after: Callable[[], None] | None = None
 ) -> str:
@@ -145,37 +129,10 @@ def _counted(
     walk.turning.append(loop)
     loop.turn = number
     try:
-        return _turn(walk, frame, loop, body, after)
+        return widening.turn(walk, frame, loop, body, after)
     finally:
         walk.turning.pop()
         walk.turns //= 2
-
-
-def _body(walk: Walk, frame: Frame, loop: Loop, body: Callable[[], str]) -> str:
-    """The body of a loop: the ways that continue are joined with the one that comes to its end."""
-    was_dead = frame.is_dead
-    loop.continues = []
-    broken, known = len(loop.breaks), len(frame.early)
-    walk.loops.append(loop)
-    try:
-        ended = body()
-    finally:
-        walk.loops.pop()
-    early.forget(frame, known, loop)
-    died = frame.is_dead and not was_dead
-    frame.is_dead = was_dead
-    if loop.continues:
-        ways = list(loop.continues)
-        if ended == NEXT and not died:
-            ways.append(walk.state.since(loop.mark))
-        walk.state.undo(loop.mark)
-        walk.state.merge(ways)
-        return NEXT
-    if ended in (NEXT, CONTINUE) and not died:
-        return NEXT
-    if len(loop.breaks) == broken and died:
-        frame.is_dead = True  # what can be taken has returned
-    return BREAK if died else ended
 
 
 def _leave(walk: Walk, loop: Loop, *, goes_on: bool, ended: str = NEXT) -> str:
@@ -201,76 +158,15 @@ def _matters(walk: Walk, frame: Frame, body: Block, test: Expression | None) -> 
 def _worthwhile(walk: Walk, frame: Frame, body: Block, test: Expression | None) -> bool:
     """Whether the turns of a loop are gone through one by one: it may make something or put a list together."""
     if _matters(walk, frame, body, test):
-        return walk.turns < NESTED
+        return walk.turns < widening.NESTED
     if (
-        walk.turns < NESTED
+        walk.turns < widening.NESTED
         and test is not None
         and type(test) is syntax.Operation
         and walk.relevance.edits(body, frame.source)
     ):
         return True
     return walk.turns == 1 and walk.relevance.collects(body, frame.source)
-
-
-def _widened(
-    walk: Walk,
-    frame: Frame,
-    loop: Loop,
-    matters: bool,
-    line: int,
-    body: Callable[[], str],
-    after: Callable[[], None] | None = None,
-) -> None:
-    """A loop of unknown length: whatever a turn changes is not known at the beginning of the next.
-
-    *body* follows a turn. It is rehearsed until it changes nothing more that was known; then, if it *matters*, as it may
-    make something, it is followed for what it makes (not in a rehearsal, which makes nothing).
-    """
-    is_real = matters and not walk.quiet
-    if loop.runs_on:
-        follow.meanwhile(walk, frame)
-    begun = tick()
-    for left in reversed(range(1 if walk.quiet else REHEARSALS + is_real)):
-        inner = Loop(walk.state.mark())
-        kept = keep(walk) if is_real else None
-        walk.turns *= 1 if is_real else NESTED
-        walk.quiet += not is_real
-        try:
-            ended = _turn(walk, frame, inner, body, after)
-        finally:
-            walk.quiet -= not is_real
-            walk.turns //= 1 if is_real else NESTED
-        writes = walk.state.undo(inner.mark)
-        if is_real and not left:
-            break
-        ways = [item for way in (writes, *inner.breaks) for item in way.items()]
-        if not _forgotten(walk, frame, loop, line, begun, ways):
-            break
-        if kept is not None:
-            go_back(walk, kept)
-    before = walk.state.since(loop.mark)
-    loop.breaks += [{**before, **way} for way in inner.breaks]
-    walk.state.merge([alternatives.own(walk, writes), writes] if ended == NEXT else [{}])
-
-
-def _forgotten(walk: Walk, frame: Frame, loop: Loop, line: int, begun: int, ways: list[tuple[Slot, object]]) -> bool:
-    """Whether a turn has changed what was known before it; that is not known any more."""
-    changed = False
-    for cell, value in ways:
-        if not walk.is_older(cell, begun):  # of the turn itself
-            continue
-        then = joined(cell.value, value)
-        if then is cell.value or isinstance(then, (tuple, dict, Known)):
-            continue
-        some = certain(then)
-        is_opaque = isinstance(cell.value, Opaque) and certain(cell.value) == some
-        if isinstance(then, (Known, Object, Sequence, Mapped)) or is_opaque:
-            continue
-        changed = True
-        reason = loop.bound if loop.bound and not loop.is_endless else "it changes in a loop"
-        result = Opaque(reason, Location(frame.source.path, line), cell.type)
-        walk.state.forget(cell, Partial(result.reason, result.location, result.type, some) if some else result)
-    return changed
 
 
 def for_each(walk: Walk, frame: Frame, statement: syntax.Each) -> str:
@@ -304,7 +200,7 @@ def for_each(walk: Walk, frame: Frame, statement: syntax.Each) -> str:
         if others is None and not items and loads:
             doubt = NAMED
             unknown = Opaque(NAMED, Location(frame.source.path, line), _element_type(walk, frame, iterable, resolved))
-        if items and (walk.turns >= NESTED or len(items) > TURNS * 4):
+        if items and (walk.turns >= widening.NESTED or len(items) > TURNS * 4):
             unknown = unknown or Opaque(_too_much(walk), Location(frame.source.path, line), resolved)
             items = []
         known = len(walk.made)
@@ -319,13 +215,13 @@ def for_each(walk: Walk, frame: Frame, statement: syntax.Each) -> str:
             if others and matters and not walk.quiet:
                 _possible(walk, frame, current, [partial(turn, other) for other in others])
             with walk.doubted(doubt):
-                _widened(walk, frame, current, loads or matters, line, partial(turn, unknown))
+                widening.widened(walk, frame, current, loads or matters, statement, partial(turn, unknown))
     return _leave(walk, current, goes_on=True)
 
 
 def _too_much(walk: Walk) -> str:
     """Why the elements of a list that is known are not gone through."""
-    return TOO_DEEP if walk.turns >= NESTED else TOO_MANY_ITEMS
+    return TOO_DEEP if walk.turns >= widening.NESTED else TOO_MANY_ITEMS
 
 
 def _element_type(walk: Walk, frame: Frame, iterable: Expression, written: Type) -> Type | None:
@@ -337,7 +233,7 @@ def _possible(walk: Walk, frame: Frame, loop: Loop, turns: list[Callable[[], str
     mark = walk.state.mark()
     for turn in turns:
         with walk.doubted(SOME_PATHS):
-            ended = _turn(walk, frame, loop, turn)
+            ended = widening.turn(walk, frame, loop, turn)
         writes = walk.state.undo(mark)
         walk.state.merge([{}, writes] if ended == NEXT else [{}])
         mark = walk.state.mark()

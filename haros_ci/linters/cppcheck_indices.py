@@ -35,8 +35,8 @@ def is_searched(steps: Iterable[Step], text: Callable[[str], str]) -> bool:
 
     ``int best = -1; double least = DBL_MAX; for (…) if (cost[i] < least) { least = cost[i]; best = i; }``
     """
-    for path, line, said in steps:
-        unset = _UNSET.search(said)
+    for path, line, note in steps:
+        unset = _UNSET.search(note)
         if unset is not None and _is_search(unset[1], line, text(path)):
             return True
     return False

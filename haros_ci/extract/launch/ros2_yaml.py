@@ -33,8 +33,8 @@ def read_ros2_yaml(text: str, path: str) -> Description | None:
         key, content = root.value[0]
         top = reader.entity("launch", content, key, 0)
     except YamlFault as err:
-        said = str(err)
-        return Description(problems=((err.line, f"the launch file is {said}" if said.startswith("not ") else said),))
+        fault = str(err)
+        return Description(problems=((err.line, f"the launch file is {fault}" if fault.startswith("not ") else fault),))
     actions = reader.builder.actions(top.children)
     return Description(actions=actions, problems=tuple(reader.builder.problems))
 

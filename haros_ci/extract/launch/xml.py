@@ -120,13 +120,13 @@ def read_launch(text: str) -> LaunchFile:
         parser.Parse(data, True)
     except expat.ExpatError as err:
         line, _ = _Places(data).at(max(parser.ErrorByteIndex, 0))
-        return LaunchFile(None, ((line, _said(expat.ErrorString(err.code), opened[1:])),))
+        return LaunchFile(None, ((line, _fault(expat.ErrorString(err.code), opened[1:])),))
     except _Refused as err:
         return LaunchFile(None, ((places.at(parser.CurrentByteIndex)[0], str(err)),))
     return LaunchFile(top.children[0])
 
 
-def _said(problem: str, opened: Sequence[_Open]) -> str:
+def _fault(problem: str, opened: Sequence[_Open]) -> str:
     """What is wrong, in the words of expat, with the tag that is still open where that is what is missing."""
     if problem in ("mismatched tag", "no element found", "unclosed token") and opened:
         problem += f", while <{opened[-1].tag[:_LONGEST]}> of line {opened[-1].line} is open"
