@@ -58,7 +58,7 @@ def loop(walk: Walk, frame: Frame, statement: syntax.Loop) -> str:
                 return ended
             current.turn = 0
             matters = _matters(walk, frame, body, test)
-            widening.widened(walk, frame, current, matters, statement, one, after_and_test)
+            widening.widened(walk, frame, current, matters, line, one, after_and_test)
             return _leave(walk, current, goes_on=True)
     finally:
         frame.scopes.pop()
@@ -222,7 +222,7 @@ def for_each(walk: Walk, frame: Frame, statement: syntax.Each) -> str:
             if others and matters and not walk.quiet:
                 _possible(walk, frame, current, [partial(turn, other) for other in others])
             with walk.doubted(doubt):
-                widening.widened(walk, frame, current, loads or matters, statement, partial(turn, unknown))
+                widening.widened(walk, frame, current, loads or matters, line, partial(turn, unknown))
     return _leave(walk, current, goes_on=True)
 
 

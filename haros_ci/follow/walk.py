@@ -12,7 +12,6 @@ from typing import Any
 from haros_ci import syntax
 from haros_ci.follow.command import Commands
 from haros_ci.follow.context import Context, Exact
-from haros_ci.follow.foreseen import Foreseen
 from haros_ci.follow.frames import Frame, Loop
 from haros_ci.follow.made import Key, MadeEntity, Root
 from haros_ci.follow.ros.own_name import Naming
@@ -193,7 +192,6 @@ class Walk:
     spent: dict[int, tuple[int, int]] = field(default_factory=dict)
     #: Steps that callbacks have put into functions that could make something, since they last did, by function and whether that was ruled out.
     idle: dict[tuple[int, bool], int] = field(default_factory=dict)
-    foreseen: Foreseen = field(default_factory=dict)
     #: What functions that are followed as they set numbers have set, under which names (``follow.setters``).
     settled: dict[Slot, tuple[Value, frozenset[str]]] = field(default_factory=dict)
     #: Such functions around what is followed: they register nothing, as they did not where they are not followed.
@@ -335,6 +333,8 @@ class Walk:
 
     def bases(self, source: Source, definition: Class, templates: Mapping[str, syntax.Argument]) -> list[Type]:
         """The resolved base types of a class of the workspace."""
+        if not definition.bases:
+            return []
         scope = definition.name.rpartition(source.separator)[0]
         return [self.resolved(base, scope, source, templates) for base in definition.bases]
 

@@ -5,15 +5,14 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from haros_ci import syntax
-from haros_ci.follow import alternatives, early, follow, foreseen
+from haros_ci.follow import alternatives, early, follow
 from haros_ci.follow.frames import BREAK, CONTINUE, NEXT, Frame, Loop
 from haros_ci.follow.made import go_back, keep
 from haros_ci.follow.walk import Walk
 from haros_ci.model.location import Location
 from haros_ci.values.abstract import Known, Mapped, Object, Opaque, Partial, Sequence, tick
-from haros_ci.values.cells import Cell, Slot
-from haros_ci.values.state import Writes, certain, joined
+from haros_ci.values.cells import Slot
+from haros_ci.values.state import certain, joined
 
 #: Turns that are tried to find what a loop changes.
 REHEARSALS = 3
@@ -61,105 +60,57 @@ def widened(
     frame: Frame,
     loop: Loop,
     matters: bool,
-    statement: syntax.Loop | syntax.Each,
+    line: int,
     body: Callable[[], str],
     after: Callable[[], None] | None = None,
 ) -> None:
     """A loop of unknown length: whatever a turn changes is not known at the beginning of the next.
 
     *body* follows a turn. It is rehearsed until it changes nothing more that was known; then, if it *matters*, as it may
-    make something, it is followed for what it makes (not in a rehearsal, which makes nothing). What the loop has changed
-    when it was followed before is not known from the first turn on, if that turns out to be right (``follow.foreseen``).
+    make something, it is followed for what it makes (not in a rehearsal, which makes nothing).
     """
     is_real = matters and not walk.quiet
     if loop.runs_on:
         follow.meanwhile(walk, frame)
-    begun, start, kept = tick(), walk.state.mark(), keep(walk) if is_real else None
-    most = 1 if walk.quiet else REHEARSALS + is_real
-    guess = {} if walk.quiet else foreseen.changes(walk, frame, statement)
-    changed, left = dict[Slot, object](), most
-    while True:
-        for cell, held in guess.items():
-            _forget(walk, frame, loop, statement.line, cell, certain(held))
-        left -= 1 + bool(guess)  # which stands for the turn that would have found it
-        inner, ended, writes = _tried(walk, frame, is_real, body, after)
+    begun = tick()
+    for left in reversed(range(1 if walk.quiet else REHEARSALS + is_real)):
+        inner = Loop(walk.state.mark())
+        kept = keep(walk) if is_real else None
+        walk.turns *= 1 if is_real else NESTED
+        walk.quiet += not is_real
+        try:
+            ended = turn(walk, frame, inner, body, after)
+        finally:
+            walk.quiet -= not is_real
+            walk.turns //= 1 if is_real else NESTED
+        writes = walk.state.undo(inner.mark)
+        if is_real and not left:
+            break
         ways = [item for way in (writes, *inner.breaks) for item in way.items()]
-        right = {cell: held for cell, held in guess.items() if _is_changed(cell, held, ways)}
-        if len(right) < len(guess):  # begin again with what may be right
-            foreseen.missed(walk, frame, statement, guess.keys() - right.keys())
-            walk.state.undo(start)
-            guess, left = right, most
-        else:
-            changed |= guess
-            guess = {}
-            if (is_real and not left) or not _forgotten(walk, frame, loop, statement.line, begun, ways, changed):
-                break
-            if not left:
-                break
+        if not _forgotten(walk, frame, loop, line, begun, ways):
+            break
         if kept is not None:
             go_back(walk, kept)
-    foreseen.note(walk, frame, statement, changed)
     before = walk.state.since(loop.mark)
     loop.breaks += [{**before, **way} for way in inner.breaks]
     walk.state.merge([alternatives.own(walk, writes), writes] if ended == NEXT else [{}])
 
 
-def _tried(
-    walk: Walk, frame: Frame, is_real: bool, body: Callable[[], str], after: Callable[[], None] | None
-) -> tuple[Loop, str, Writes]:
-    """One turn, undone again: its loop, how it ended, and what it wrote; a rehearsal if it is not *is_real*."""
-    inner = Loop(walk.state.mark())
-    walk.turns *= 1 if is_real else NESTED
-    walk.quiet += not is_real
-    try:
-        ended = turn(walk, frame, inner, body, after)
-    finally:
-        walk.quiet -= not is_real
-        walk.turns //= 1 if is_real else NESTED
-    return inner, ended, walk.state.undo(inner.mark)
-
-
-def _forgotten(
-    walk: Walk,
-    frame: Frame,
-    loop: Loop,
-    line: int,
-    begun: int,
-    ways: list[tuple[Slot, object]],
-    changed: dict[Slot, object],
-) -> bool:
-    """Whether a turn has changed what was known before it; that is not known any more. *changed* gets what was known."""
-    found = False
+def _forgotten(walk: Walk, frame: Frame, loop: Loop, line: int, begun: int, ways: list[tuple[Slot, object]]) -> bool:
+    """Whether a turn has changed what was known before it; that is not known any more."""
+    changed = False
     for cell, value in ways:
         if not walk.is_older(cell, begun):  # of the turn itself
             continue
-        some = _left(cell.value, value)
-        if some is None:
+        then = joined(cell.value, value)
+        if then is cell.value or isinstance(then, (tuple, dict, Known)):
             continue
-        found = True
-        if not isinstance(cell.value, Opaque):
-            changed[cell] = cell.value
-        _forget(walk, frame, loop, line, cell, some)
-    return found
-
-
-def _left(held: object, value: object) -> tuple[Cell, ...] | None:
-    """What is left of what a cell *held* where a turn writes *value*: elements that it has for sure; None if nothing is lost."""
-    then = joined(held, value)
-    if then is held or isinstance(then, (tuple, dict, Known, Object, Sequence, Mapped)):
-        return None
-    some = certain(then)
-    return None if isinstance(held, Opaque) and certain(held) == some else some
-
-
-def _forget(walk: Walk, frame: Frame, loop: Loop, line: int, cell: Slot, some: tuple[Cell, ...]) -> None:
-    """A cell holds something else after each turn, but for the elements *some*."""
-    reason = loop.bound if loop.bound and not loop.is_endless else "it changes in a loop"
-    place = Location(frame.source.path, line)
-    unknown = Partial(reason, place, cell.type, some) if some else Opaque(reason, place, cell.type)
-    walk.state.forget(cell, unknown)
-
-
-def _is_changed(cell: Slot, held: object, ways: list[tuple[Slot, object]]) -> bool:
-    """Whether a turn loses of what a cell *held* what was foreseen: all but the elements that it has for sure."""
-    return any(_left(held, value) == certain(held) for written, value in ways if written is cell)
+        some = certain(then)
+        is_opaque = isinstance(cell.value, Opaque) and certain(cell.value) == some
+        if isinstance(then, (Known, Object, Sequence, Mapped)) or is_opaque:
+            continue
+        changed = True
+        reason = loop.bound if loop.bound and not loop.is_endless else "it changes in a loop"
+        result = Opaque(reason, Location(frame.source.path, line), cell.type)
+        walk.state.forget(cell, Partial(result.reason, result.location, result.type, some) if some else result)
+    return changed
