@@ -15,10 +15,10 @@ from haros_ci.model.location import Location
 from haros_ci.syntax import Expression, Function
 from haros_ci.values.abstract import Callable, Cell, Known, Value
 
-Args = tuple[call_arguments.PassedArgument, ...]
 
-
-def called(walk: Walk, frame: Frame, function: Callable, args: Args) -> Value | None:
+def called(
+    walk: Walk, frame: Frame, function: Callable, args: tuple[call_arguments.PassedArgument, ...]
+) -> Value | None:
     """What a call of a decorated function gives; None where nothing of the workspace is known to be around it."""
     definition = overloads.original(walk, function.function)
     if function.source.separator != "." or not any(_of_workspace(walk, item) for item in definition.decorators):
