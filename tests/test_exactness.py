@@ -11,8 +11,13 @@ from typing import Any
 import pytest
 from commandline import haros, write
 
+from haros_ci.analysis import exactness
+from haros_ci.analysis.architecture import architecture
 from haros_ci.analysis.exactness import ask, doubtful
+from haros_ci.config.settings import Settings
 from haros_ci.model.architecture import Architecture
+from haros_ci.workspace.cache import MemoryCache
+from haros_ci.workspace.discover import discover
 
 HEADERS = {
     "ros/ros.h": """#pragma once
@@ -23,6 +28,7 @@ void init(int& argc, char** argv, const char* name);
 struct NodeHandle {
   void setParam(const char* name, double value);
   void setParam(const char* name, bool value);
+  template <class T> void param(const char* name, T& value, const T& otherwise);
 };
 }
 """,
@@ -66,12 +72,6 @@ def test_blanks_are_filled(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> N
     before = setters(model(tmp_path / "ws"))
     assert before == {"/known": ("bool", "source"), "/real": (None, "source"), "/flag": (None, "source")}
 
-    from haros_ci.analysis import exactness
-    from haros_ci.analysis.architecture import architecture
-    from haros_ci.config.settings import Settings
-    from haros_ci.workspace.cache import MemoryCache
-    from haros_ci.workspace.discover import discover
-
     monkeypatch.setattr(exactness, "default_headers", lambda: (str(tmp_path / "include"),))
     workspace = discover(tmp_path / "ws", (".",))
     found = architecture(workspace, Settings(root=tmp_path / "ws"), MemoryCache(), exact=True)
@@ -79,10 +79,30 @@ def test_blanks_are_filled(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> N
     assert ends == {"/known": ("bool", "source"), "/real": ("double", "exact-tier"), "/flag": ("bool", "exact-tier")}
 
 
+def test_what_was_known_without_it_is_of_the_source(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The names of these come from the command line: libclang is asked, and what it knows of the calls was known."""
+    pytest.importorskip("clang.cindex")
+    code = (
+        "#include <ros/ros.h>\nint main(int argc, char** argv) {\n"
+        '  ros::init(argc, argv, "n");\n  ros::NodeHandle nh;\n  double rate;\n'
+        "  nh.setParam(argv[1], true);\n  nh.param(argv[2], rate, 5.0);\n"
+        '  nh.setParam("real", lib::read().value());\n}\n'
+    )
+    write(tmp_path / "ws", {**WORKSPACE, "p/src/n.cpp": code})
+    write(tmp_path / "include", HEADERS)
+    monkeypatch.setattr(exactness, "default_headers", lambda: (str(tmp_path / "include"),))
+    workspace = discover(tmp_path / "ws", (".",))
+    found = architecture(workspace, Settings(root=tmp_path / "ws"), MemoryCache(), exact=True)
+    ends = [(end.kind, end.name, end.type, end.source) for end in found.configurations[0].nodes[0].endpoints]
+    assert sorted(ends) == [
+        ("getters", "/?", "double", "source"),
+        ("setters", "/?", "bool", "source"),
+        ("setters", "/real", "double", "exact-tier"),
+    ]
+
+
 def test_without_libclang_it_is_said(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     from haros_ci.analysis import exactness
-    from haros_ci.config.settings import Settings
-    from haros_ci.workspace.discover import discover
 
     write(tmp_path, WORKSPACE)
     (tmp_path / "python").write_text("#!/bin/sh\nexit 3\n")

@@ -155,12 +155,13 @@ def _of_view(
     )
     made = link_all(keeper=keeper(workspace, store, common.records))
     if exact:
-        from haros_ci.analysis.exactness import ask, doubtful
+        from haros_ci.analysis.exactness import ask, doubtful, sourced
 
         result, notes = ask(workspace, settings, doubtful(made.architecture))
         problems += notes
         if result:
-            made = link_all(exact=partial(filled, result))
+            more = link_all(exact=partial(filled, result))
+            made = replace(more, architecture=sourced(more.architecture, made.architecture))
     found = made.architecture
     hinted: list[Configuration] = []
     for configuration in found.configurations:

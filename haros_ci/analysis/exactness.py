@@ -6,6 +6,7 @@ from __future__ import annotations
 import sys
 from collections.abc import Iterable, Mapping
 from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
 
 from haros_ci.config.settings import Settings
 from haros_ci.extract.cpp.exact import ExactCall, ExactFile, Place, default_headers, failures, parse, requests
@@ -15,7 +16,7 @@ from haros_ci.linters.linter import Command, LintOptions
 from haros_ci.linters.process import Processes, TimedOut, Unstartable
 from haros_ci.linters.sandbox import Confinement
 from haros_ci.linters.view import of_cpp
-from haros_ci.model.architecture import Architecture
+from haros_ci.model.architecture import Architecture, Endpoint
 from haros_ci.model.workspace import Problem, Workspace
 from haros_ci.scratch import scratch_directory
 
@@ -84,6 +85,41 @@ def ask(
         finally:
             processes.stop()
     return reported, tuple(dict.fromkeys(problems))
+
+
+def sourced(found: Architecture, before: Architecture) -> Architecture:
+    """*found* with libclang, where what the sources alone told *before* has them as its origin: the same kind, name and type at the same place of the same node."""
+    known = {
+        (configuration.name, node.name, _known_of(end))
+        for configuration in before.configurations
+        for node in configuration.nodes
+        for end in node.endpoints
+    }
+    return replace(
+        found,
+        configurations=tuple(
+            replace(
+                configuration,
+                nodes=tuple(
+                    replace(
+                        node,
+                        endpoints=tuple(
+                            replace(end, source="source")
+                            if end.source == "exact-tier" and (configuration.name, node.name, _known_of(end)) in known
+                            else end
+                            for end in node.endpoints
+                        ),
+                    )
+                    for node in configuration.nodes
+                ),
+            )
+            for configuration in found.configurations
+        ),
+    )
+
+
+def _known_of(end: Endpoint) -> tuple[object, ...]:
+    return end.kind, end.location, end.name, end.type
 
 
 def _flags(workspace: Workspace, path: str) -> tuple[str, ...]:
