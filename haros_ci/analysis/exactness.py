@@ -88,7 +88,7 @@ def ask(
 
 
 def sourced(found: Architecture, before: Architecture) -> Architecture:
-    """*found* with libclang, where what the sources alone told *before* has them as its origin: the same kind, name and type at the same place of the same node."""
+    """*found* with libclang, where what is from the sources alone (*before*) has them as its origin: the same kind, name and type at the same place of the same node."""
     known = {
         (configuration.name, node.name, _known_of(end))
         for configuration in before.configurations
