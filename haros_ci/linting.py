@@ -16,6 +16,7 @@ from haros_ci.config.selector import is_glob
 from haros_ci.config.settings import Settings
 from haros_ci.linters import pylint, values
 from haros_ci.linters.doubting import Doubting
+from haros_ci.linters.given_names import is_extra_script
 from haros_ci.linters.in_default import IN_TESTS, is_idle, is_of_linter, is_test
 from haros_ci.linters.linter import SILENCED, LintOptions, When
 from haros_ci.linters.loaded_files import loaded_files
@@ -103,6 +104,7 @@ def with_names(results: Iterable[Result], workspace: Workspace, selection: Selec
         is_ros1=lambda path: versions.get(package_of(path) or "", of_all) == 1,
         is_given=lambda result: selection.given_level(result.tool, result.rule, result.location.path) is not None,
         is_loaded=lambda path: path.rpartition("/")[2] in loaded(),
+        is_extra=lambda path: is_extra_script(path, workspace.names.__contains__, workspace.text),
     )
 
 

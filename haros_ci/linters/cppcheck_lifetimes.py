@@ -5,6 +5,8 @@ from __future__ import annotations
 
 import re
 
+from haros_ci.linters.cppcheck_returns import copies_what_it_returns
+
 OF_LIFETIMES = frozenset({"danglingLifetime", "returnDanglingLifetime", "selfAssignment"})
 #: ``Non-local variable 'handle' will use pointer to local variable 'name'.``
 _KEPT = re.compile(r"[Vv]ariable '([A-Za-z_]\w*)' will use (?:pointer|object) to local variable '([A-Za-z_]\w*)'")
@@ -26,7 +28,7 @@ def may_be_alive(rule: str, message: str, line: int, text: str) -> bool:
     """Whether what cppcheck says by *rule* at *line* of *text* rests on what it cannot know, or is meant.
 
     It takes what any function returns for a pointer to its arguments, a handle of a C library too, and what a member of a local object points to
-    for a part of that object; and a branch that leaves a variable as it is may say so.
+    for a part of that object; it does not see that a lambda returns a text of its own; and a branch that leaves a variable as it is may say so.
     """
     lines = text.split("\n")
     if not 0 < line <= len(lines):
@@ -42,7 +44,7 @@ def may_be_alive(rule: str, message: str, line: int, text: str) -> bool:
             return True
         return kept is not None and _is_returned_by_a_call(kept[1], kept[2], near)
     returned = _RETURNED.search(message)
-    return returned is not None and _is_of_a_view(returned[1], near)
+    return copies_what_it_returns(line, text) or (returned is not None and _is_of_a_view(returned[1], near))
 
 
 def _is_returned_by_a_call(name: str, local: str, near: str) -> bool:

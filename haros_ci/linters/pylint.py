@@ -11,6 +11,7 @@ from typing import Any
 
 from haros_ci.linters import columns, doubled_values, growth, imports, installed, python2
 from haros_ci.linters.catalogue.pylint import NOT_FATAL
+from haros_ci.linters.dead_statements import OF_FILES, is_dead
 from haros_ci.linters.doubting import Doubting
 from haros_ci.linters.linter import SILENCED, Batch, Command, Finding, GaveUp, LintOptions, Output, Program, Unit, When
 from haros_ci.linters.noqa import is_silenced
@@ -149,6 +150,8 @@ def _is_doubted(report: dict[str, Any], path: str, text: str, doubting: Doubting
     rule, line = report["symbol"], report["line"]
     if doubting.may(path, rule, text):
         if is_refuted(rule, line, report["column"], text):
+            return True
+        if report["type"] == "error" and rule not in OF_FILES and is_dead(text, line, report["column"]):
             return True
         if rule == "no-value-for-parameter" and _OF_CLASS.search(report["message"]) is not None:
             return is_made_by_hand(text, line, report["column"])

@@ -20,6 +20,7 @@ from haros_ci.linters.pylint_idioms import (
     is_to_fail,
 )
 from haros_ci.linters.pylint_statements import (
+    gives_names,
     is_index_of_array,
     is_of_another,
     is_one_text,
@@ -109,6 +110,8 @@ def is_refuted(rule: str, line: int, column: int, text: str) -> bool:  # noqa: C
         return is_one_text(text, line)
     if rule == "too-many-format-args":
         return is_surplus(text, line, column)
+    if rule == "undefined-all-variable":
+        return gives_names(text)
     if rule == "bad-super-call":
         return is_of_another(text, line)
     if rule == "comparison-with-itself":

@@ -17,6 +17,21 @@ _NAN = re.compile(r"\bnan\b", re.IGNORECASE)
 _FIELD = re.compile(r"(?<!\{)(?:\{\{)*\{(?!\{)")
 
 
+def gives_names(text: str) -> bool:
+    """Whether the module has a function ``__getattr__`` of its own that returns something: it gives names when they are asked for (PEP 562)."""
+    tree = next(iter(nodes(text)), None) if "__getattr__" in text else None
+    for node in tree.body if isinstance(tree, ast.Module) else ():
+        if isinstance(node, ast.FunctionDef) and node.name == "__getattr__":
+            return any(isinstance(inner, ast.Return) and inner.value is not None for inner in ast.walk(node))
+        if isinstance(node, ast.Assign) and any(
+            isinstance(name, ast.Name) and name.id == "__getattr__"
+            for target in node.targets
+            for name in ast.walk(target)
+        ):
+            return True
+    return False
+
+
 def is_text(text: str, line: int) -> bool:
     """Whether strings alone follow at *line* up to the end of the block: they stand there as comments."""
     for node in nodes(text):

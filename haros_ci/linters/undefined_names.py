@@ -9,7 +9,9 @@ from collections.abc import Callable, Iterable
 from dataclasses import replace
 from functools import lru_cache
 
+from haros_ci.linters.dead_statements import is_dead
 from haros_ci.linters.doubting import Doubting
+from haros_ci.linters.given_names import is_given as is_given_by_tool
 from haros_ci.linters.pylint_idioms import nodes
 from haros_ci.linters.python_bindings import asks_for_version, is_bound
 from haros_ci.results.result import Result
@@ -51,6 +53,7 @@ def weighed_names(
     is_ros1: Callable[[str], bool],
     is_given: Callable[[Result], bool] = lambda result: False,
     is_loaded: Callable[[str], bool] = lambda path: False,
+    is_extra: Callable[[str], bool] = lambda path: False,
 ) -> tuple[Result, ...]:
     """*results* without names that something else defines, and with a warning for those that may well be defined.
 
@@ -59,8 +62,8 @@ def weighed_names(
     in a string, where annotations stand that are not evaluated; any name where the file makes names of strings, and one whose import
     is in a comment: what uses it may be switched off like it. *text* reads
     a path, *is_ros1* tells of one whether it is of a package, or a workspace, of ROS 1; where the level *is_given* by the settings it stands.
-    In a file that another one loads by its path (*is_loaded*) any name may have been put there. Below an ``exit()`` of the module nothing
-    is evaluated.
+    In a file that another one loads by its path (*is_loaded*) any name may have been put there; in one that a tool runs, which may be an extra
+    script of PlatformIO (*is_extra*), those that the tool gives it. Below an ``exit()`` of the module, and behind a ``return``, nothing is evaluated.
     """
     weighed = []
     doubting = Doubting()
@@ -73,7 +76,7 @@ def weighed_names(
             if not doubting.may(result.location.path, result.full_id, whole):
                 weighed.append(result)
                 continue
-            if _is_behind_exit(result, whole):
+            if _is_never_run(result, whole) or is_given_by_tool(result.location.path, name[1], whole, is_extra):
                 continue
             if name[1] in _BROUGHT or (name[1] in OF_PYTHON_2 and _is_ready(result, whole)):
                 continue
@@ -92,6 +95,13 @@ def _is_ready(result: Result, text: str) -> bool:
     """Whether the code around the place of *result* is for Python 2 and 3, and tells them apart."""
     line = result.location.line
     return line is not None and _ASKS_FOR_VERSION.search(text) is not None and asks_for_version(nodes(text), line)
+
+
+def _is_never_run(result: Result, text: str) -> bool:
+    """Whether nothing evaluates what stands at the place of *result*."""
+    line, column = result.location.line, result.location.column
+    is_behind = line is not None and is_dead(text, line, None if column is None else column - 1)
+    return is_behind or _is_behind_exit(result, text)
 
 
 def _is_behind_exit(result: Result, text: str) -> bool:

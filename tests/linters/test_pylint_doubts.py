@@ -248,6 +248,29 @@ def test_refuted(rule: str, text: str, at: str) -> None:
     assert refuted(rule, text, at)
 
 
+#: A module, and whether its function of PEP 562 gives names.
+LAZY = [
+    ("def __getattr__(name):\n    if name == 'A':\n        return 1\n    raise AttributeError(name)\n", True),
+    ("def __getattr__(name: str) -> Any:\n    return importlib.import_module(name)\n", True),
+    ("__getattr__, __dir__, __all__ = lazy.attach(__name__, ['A'])\n", True),
+    ("__getattr__ = make()\n", True),
+    ("class B:\n    def __getattr__(self, name):\n        return 1\n", False),
+    ("def f():\n    def __getattr__(name):\n        return 1\n", False),
+    ("def __getattr__(name):\n    raise AttributeError(name)\n", False),
+    ("def __getattr__(name):\n    return\n", False),
+    ("def __getattribute__(name):\n    return 1\n", False),
+    ("# def __getattr__(name): return 1\n", False),
+    ("TEXT = 'def __getattr__(name): return 1'\n", False),
+    ("print(b.__getattr__)\n", False),
+    ("def __getattr__(name):\n    return (\n", False),
+]
+
+
+@pytest.mark.parametrize(("text", "expected"), LAZY)
+def test_names_that_a_module_gives_when_they_are_asked_for(text: str, expected: bool) -> None:
+    assert is_refuted("undefined-all-variable", 1, 11, "__all__ = ['A']\n" + text) is expected
+
+
 @pytest.mark.parametrize(("rule", "text", "at"), STANDS)
 def test_stands(rule: str, text: str, at: str) -> None:
     assert not refuted(rule, text, at)

@@ -1,0 +1,93 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Which statements of Python are never run: what pylint calls an error there is none."""
+
+from __future__ import annotations
+
+import pytest
+
+from haros_ci.linters.dead_statements import is_dead
+from haros_ci.linters.undefined_names import weighed_names
+from haros_ci.model.location import Location
+from haros_ci.results.result import Result
+from haros_ci.results.rule import Level
+
+DEAD = [
+    "def f():\n    return 1\n\n    return HERE\n",
+    "def f():\n    raise ValueError\n    print(HERE)\n",
+    "def f():\n    return 1; HERE\n",
+    "for a in b:\n    continue\n    HERE\n",
+    "while a:\n    break\n    if c:\n        HERE\n",
+    "def f():\n    return\n    for a in b:\n        use(\n            HERE)\n",
+    "if False:\n    HERE\n",
+    "if 0:\n    def f():\n        HERE\n",
+    "while False:\n    HERE\n",
+    "if True:\n    a\nelse:\n    HERE\n",
+    "def f():\n    return 1\n    @HERE\n    def g():\n        pass\n",
+    "def f():\n    if a:\n        return 1\n        HERE\n    return 2\n",
+    "def f():\n    try:\n        return 1\n        HERE\n    except E:\n        pass\n",
+    "def f():\n    try:\n        a\n    except E:\n        raise\n        HERE\n",
+    "def f():\n    try:\n        a\n    finally:\n        return 1\n        HERE\n",
+    "async def f():\n    return 'ä'; HERE\n",
+    "match a:\n    case 1:\n        raise E\n        HERE\n",
+]
+ALIVE = [
+    "def f():\n    if a:\n        return 1\n    HERE\n",
+    "def f():\n    return HERE\n",
+    "def f():\n    HERE; return 1\n",
+    "def f():\n    return use(1,\n        HERE)\n",
+    "def f():\n    return 1\nHERE\n",
+    "def f():\n    try:\n        return 1\n    finally:\n        HERE\n",
+    "def f():\n    try:\n        return 1\n    except E:\n        HERE\n",
+    "def f():\n    try:\n        a\n    except E:\n        raise\n    else:\n        HERE\n",
+    "for a in b:\n    if a:\n        continue\n    HERE\n",
+    "for a in b:\n    break\nelse:\n    HERE\n",
+    "for a in b:\n    break\nHERE\n",
+    "if False:\n    a\nelse:\n    HERE\n",
+    "if True:\n    HERE\n",
+    "while True:\n    HERE\n",
+    "while True:\n    a\nelse:\n    b\nHERE\n",
+    "if TYPE_CHECKING:\n    HERE\n",
+    "if DEBUG:\n    HERE\n",
+    "if False or a:\n    HERE\n",
+    "if not True:\n    HERE\n",
+    "def f():\n    with a:\n        raise E\n    HERE\n",
+    "def f():\n    # return\n    HERE\n",
+    "def f():\n    '''\n    return 1\n    '''\n    HERE\n",
+    "def f():\n    exit\n    HERE\n",
+    "g = lambda: HERE\n",
+    "def f():\n    return 1\n    HERE = (\n",
+    "match a:\n    case 1:\n        raise E\n    case 2:\n        HERE\n",
+]
+
+
+def place(text: str) -> tuple[int, int]:
+    line = next(number for number, item in enumerate(text.split("\n"), 1) if "HERE" in item)
+    return line, text.split("\n")[line - 1].index("HERE")
+
+
+@pytest.mark.parametrize("text", DEAD)
+def test_what_is_never_run(text: str) -> None:
+    assert is_dead(text, *place(text)) and weighed(text) == ()
+
+
+@pytest.mark.parametrize("text", ALIVE)
+def test_what_may_be_run(text: str) -> None:
+    assert not is_dead(text, *place(text)) and len(weighed(text)) == 1
+
+
+@pytest.mark.parametrize("line", [0, -1, 9])
+def test_a_line_outside_of_the_file(line: int) -> None:
+    assert not is_dead("def f():\n    return\n    a\n", line, 0)
+
+
+def test_a_line_without_a_column_is_dead_as_a_whole() -> None:
+    assert is_dead("def f():\n    return\n    a\n", 3, None)
+    assert not is_dead("def f():\n    return; a\n", 2, None)
+
+
+def weighed(text: str) -> tuple[Result, ...]:
+    line, column = place(text)
+    found = Result(
+        "pylint", "undefined-variable", Level.ERROR, "Undefined variable 'HERE'", Location("a.py", line, column + 1)
+    )
+    return weighed_names([found], lambda path: text, lambda path: False)
