@@ -3,9 +3,10 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
-from haros_ci.api import Check, Finding, Level, System
+from haros_ci.api import Check, Finding, Level, Location, System
 from haros_ci.api.launch import FileUse, ParameterFileUse
 from haros_ci.api.packages import is_ignored, writer_of
 
@@ -29,14 +30,29 @@ def check(system: System) -> Iterator[Finding]:
             hint = "; .gitignore names it, so that it may be made elsewhere"
         elif writer := writer_of(system, use.path or use.text):
             is_made, hint = True, f"; {writer} writes a file of this name, so that it may be made at run time"
+        at = _named(system, use)
         yield Finding(
-            at=use.location,
+            at=at,
             message=f"the parameter file {use.text} does not exist: {what}{hint}",
             about=(use.text, program),
+            related=((use.location, f"{use.node or program} gets the file here"),) if at != use.location else (),
             flow=tuple((place, "includes the next one") for place in use.included),
             level=Level.NOTE if is_made else None,
             presence=use.presence,
         )
+
+
+def _named(system: System, use: ParameterFileUse) -> Location:
+    """The one line of the launch file that has the file's name in quotes; where the node gets it, if there are several or none."""
+    name = use.text.rpartition("/")[2]
+    if system.workspace is None or not name or "?" in name or "$" in name:
+        return use.location
+    quoted = re.compile(rf"""['"/]{re.escape(name)}['"]""")
+    lines = system.workspace.text(use.location.path).split("\n")
+    found = [number for number, line in enumerate(lines, 1) if quoted.search(line)]
+    if len(found) != 1 or found[0] == use.location.line or re.match(r"\s*(?:#|<!--)", lines[found[0] - 1]):
+        return use.location
+    return Location(use.location.path, found[0])
 
 
 CHECK = Check(

@@ -48,6 +48,11 @@ def _instead(parameter: Given, end: End) -> str:
         return "; write a decimal point in each number"
     if end.type == "int" and isinstance(value, float) and value.is_integer() and abs(value) < 1e15:
         return f"; write {int(value)}"
+    keeping = _keeping(parameter) if end.type == "str" else ""
+    if keeping and not isinstance(value, (int, float)):
+        return f"; {keeping}"
+    if keeping:
+        return f"; declare it as {parameter.type} if a {'switch' if parameter.type == 'bool' else 'number'} is meant; {keeping}"
     if end.type == "str" and isinstance(value, (bool, int, float)):
         return (
             f"; declare it as {parameter.type} if a number is meant, else give it as text"
@@ -57,6 +62,19 @@ def _instead(parameter: Given, end: End) -> str:
     if end.type == "bool" and value in (0, 1):
         return f"; write {'true' if value else 'false'}"
     return ""
+
+
+def _keeping(parameter: Given) -> str:
+    """How a value that stands in a launch file itself stays a text: launch reads texts as YAML (launch_ros, ``evaluate_parameters``)."""
+    if parameter.raw.origin is not None:
+        return ""
+    if parameter.tag.path.endswith(".py"):
+        return "launch reads a text here as YAML, ParameterValue(…, value_type=str) keeps it a text"
+    return (
+        'launch reads a value here as YAML, type="str" keeps it a text'
+        if parameter.tag.path.endswith((".xml", ".launch"))
+        else ""
+    )
 
 
 def _shown(parameter: Given) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 from difflib import get_close_matches
 
@@ -35,8 +35,22 @@ class Defining:
             for reference in references_to(package.name, interface.kind, interface.name.partition("/")[2], package.ros)
         }
 
-    def like(self, kind: str, stem: str) -> str:
-        """The interface whose name is most like *stem*, in words; "" if none is."""
+    def like(self, kind: str, stem: str, project: Project, others: Iterable[Defining]) -> str:
+        """The interface of that name in a package of the workspace, or in one that the package depends on; else the one here whose name is most like *stem*, in words.
+
+        "" if there is none of these.
+        """
+        named = {e.name: e.kind for other in others if other is not self for e in other.interfaces}
+        for package in self.package.declared:
+            named |= {
+                f"{package}/{short}": of
+                for of, _, short in (e.partition("/") for e in project.knowledge.interfaces(package))
+            }
+        elsewhere = sorted(
+            name for name, of in named.items() if kind in (of, "") and name.partition("/")[2].lower() == stem
+        )
+        if elsewhere:
+            return f"; did you mean {' or '.join(elsewhere[:3])}?"
         names = {e.name.partition("/")[2].lower(): e.name for e in self.interfaces if kind in (e.kind, "")}
         found = get_close_matches(stem, sorted(names), 1)
         return f"; did you mean {names[found[0]]}?" if found else ""
@@ -112,7 +126,7 @@ def _in_interfaces(project: Project, defining: Mapping[str, Defining]) -> Iterat
                 yield Finding(
                     at=Location(interface.path, field.line),
                     message=f"{interface.name} has a field {field.name} of {base}, but {of.package.name} defines no such message"
-                    f": {package.name} does not build{of.like('msg', base.partition('/')[2].lower())}",
+                    f": {package.name} does not build{of.like('msg', base.partition('/')[2].lower(), project, defining.values())}",
                     about=(interface.name, base),
                 )
 
@@ -171,13 +185,14 @@ def _in_code(project: Project, defining: Mapping[str, Defining], users: Interfac
         for path, written in places:
             if path in project.code.unbuilt:
                 continue
-            finding = _unless_handmade(project, of, reference, path, written, built, ends)
+            finding = _unless_handmade(project, defining, of, reference, path, written, built, ends)
             if finding is not None:
                 yield finding
 
 
 def _unless_handmade(
     project: Project,
+    defining: Mapping[str, Defining],
     of: Defining,
     reference: InterfaceReference,
     path: str,
@@ -212,7 +227,7 @@ def _unless_handmade(
         effect, is_sure = "the import fails", True
     return Finding(
         at=at,
-        message=f"{message}: {effect}{of.like(reference.kind, reference.stem)}",
+        message=f"{message}: {effect}{of.like(reference.kind, reference.stem, project, defining.values())}",
         about=(name,),
         level=None if is_sure else Level.WARNING,
         apart=(path, name),

@@ -80,9 +80,9 @@ def too_little(found: Coverage) -> tuple[str, ...]:
     if counts.share is None or counts.share >= ENOUGH:
         return ()
     return (
-        f"The model accounts for {counts.accounted:,} of {counts.sites:,} calls of ROS APIs in production code "
-        f"({int(counts.share * 100)}%), so nodes may have more topics, services and parameters than the checks know; "
-        "haros-ci model --coverage lists the calls that are missing",
+        f"{counts.accounted:,} of {counts.sites:,} calls of ROS APIs in production code ({int(counts.share * 100)}%) are understood: the topics, "
+        "services and parameters of the rest are unknown, and mistakes in them are not found; "
+        "haros-ci model --coverage lists these calls with the reasons",
     )
 
 

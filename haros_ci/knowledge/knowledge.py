@@ -174,6 +174,10 @@ class Knowledge:
         base = next((short[: -len(part)] for part in _PARTS if kind == "msg" and short.endswith(part)), "")
         return bool(base) and f"action/{base}" in row
 
+    def interfaces(self, name: str) -> frozenset[str]:
+        """The definitions of a package, as ``msg/T``; none if they are not known."""
+        return self.facts.words("interfaces", name) or frozenset()
+
     def has_interfaces(self, name: str) -> bool:
         """Whether the package is known to define messages, services or actions."""
         return bool(self.facts.words("interfaces", name))

@@ -30,6 +30,7 @@ _TREES: tuple[tuple[str, str, tuple[str, ...]], ...] = (
     ("yolov5", "utils", ("general.py", "plots.py", "torch_utils.py")),
     ("libusb", "libusb", ("libusb.h", "libusbi.h", "core.c")),
     ("lwip", "lwip", ("tcp.h", "pbuf.h", "netif.h")),
+    ("phoenix", "phoenix", ("ErrorCode.h", "paramEnum.h", "motorcontrol/can/TalonSRX.h")),
     ("freertos", "", ("tasks.c", "queue.c", "list.c", "include/FreeRTOS.h")),
 )
 _BY_FIRST: dict[str, list[tuple[str, str, tuple[str, ...]]]] = {}

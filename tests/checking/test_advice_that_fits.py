@@ -108,3 +108,69 @@ def test_a_part_for_another_robot(robot: str, launch: str, levels: list[str], tm
     found = messages("broken-robot-model", files, tmp_path)
     assert [level for level, _ in found] == levels
     assert all(("it may be a part for another robot" in message) == (level == "note") for level, message in found)
+
+
+TALKER = (
+    "import rclpy\nfrom rclpy.node import Node\n\n\nclass Talker(Node):\n    def __init__(self):\n        super().__init__('talker')\n"
+    "        self.declare_parameter('prefix', 'hello')\n\n\ndef main():\n    rclpy.init()\n    rclpy.spin(Talker())\n\n\nmain()\n"
+)
+PYTHON = (
+    "from launch import LaunchDescription\nfrom launch.actions import DeclareLaunchArgument\nfrom launch.substitutions import LaunchConfiguration, PathJoinSubstitution\n"
+    "from launch_ros.actions import Node\nfrom launch_ros.substitutions import FindPackageShare\nfrom launch_ros.parameter_descriptions import ParameterValue\n\n\n"
+    "def generate_launch_description():\n    given = PathJoinSubstitution([\n        FindPackageShare('demo'),\n        'config',\n        'walk.yaml',\n    ])\n"
+    "    return LaunchDescription([\n        DeclareLaunchArgument('prefix', default_value='{}'),\n"
+    "        Node(package='demo', executable='talker.py', parameters=[{}]),\n    ])\n"
+)
+OF_SCRIPT = CMAKE.replace(
+    "install(TARGETS walk DESTINATION lib/demo)",
+    "install(TARGETS walk DESTINATION lib/demo)\ninstall(PROGRAMS talker.py DESTINATION lib/demo)",
+)
+
+
+@pytest.mark.parametrize(
+    ("text", "value", "words"),
+    [
+        (
+            "[a]",
+            "{'prefix': LaunchConfiguration('prefix')}",
+            "; launch reads a text here as YAML, ParameterValue(…, value_type=str) keeps it a text",
+        ),
+        (
+            "12",
+            "{'prefix': LaunchConfiguration('prefix')}",
+            "; declare it as int if a number is meant; launch reads a text here as YAML, ParameterValue(…, value_type=str) keeps it a text",
+        ),
+        (
+            "true",
+            "{'prefix': LaunchConfiguration('prefix')}",
+            "; declare it as bool if a switch is meant; launch reads a text here as YAML, ParameterValue(…, value_type=str) keeps it a text",
+        ),
+        ("[a]", "{'prefix': ParameterValue(LaunchConfiguration('prefix'), value_type=str)}", ""),
+        ("hello", "{'prefix': LaunchConfiguration('prefix')}", ""),
+    ],
+)
+def test_a_text_that_is_read_as_yaml(text: str, value: str, words: str, tmp_path: Path) -> None:
+    files = {
+        "talker.py": TALKER,
+        "CMakeLists.txt": OF_SCRIPT,
+        "walk.cpp": WALK.format("1.0"),
+        "launch/a.launch.py": PYTHON.format(text, value),
+    }
+    found = messages("parameter-type-mismatch", files, tmp_path)
+    assert len(found) == bool(words) and all(words in message for _, message in found)
+
+
+@pytest.mark.parametrize(("more", "line"), [("", 13), ("# 'walk.yaml'\n", 17)])
+def test_a_missing_file_is_shown_where_its_name_is(more: str, line: int, tmp_path: Path) -> None:
+    check = next(check for check in checks() if check.id == "parameter-file-missing")
+    launch = PYTHON.format("a", "given") + more
+    files = {
+        "talker.py": TALKER,
+        "CMakeLists.txt": OF_SCRIPT,
+        "walk.cpp": WALK.format("1.0"),
+        "launch/a.launch.py": launch,
+        "config/other.yaml": "",
+    }
+    (result,) = said(check, Example("", True, {"package.xml": MANIFEST, **files}), tmp_path)
+    assert result.location.line == line
+    assert result.message.startswith("the parameter file $(find-pkg-share demo)/config/walk.yaml does not exist")

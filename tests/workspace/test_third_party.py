@@ -152,3 +152,22 @@ def test_a_known_file_in_the_tree_of_its_library_is_a_copy_by_itself(tmp_path: P
     found = {file.path: file.third_party for file in discover(tmp_path, (".",)).files}
     assert found["drive/include/nlohmann/json.hpp"] == "drive/include/nlohmann/json.hpp"
     assert found["drive/include/nlohmann/detail/exceptions.hpp"] == "drive/include/nlohmann"
+
+
+PHOENIX = tuple(
+    f"rover/include/ctre/phoenix/{name}" for name in ("ErrorCode.h", "paramEnum.h", "motorcontrol/can/TalonSRX.h")
+)
+
+
+@pytest.mark.parametrize(
+    ("names", "package", "expected"),
+    [
+        (PHOENIX, "rover", "rover/include/ctre/phoenix"),
+        (PHOENIX, "phoenix_vendor", "rover/include/ctre/phoenix"),
+        (PHOENIX, "phoenix", ""),
+        (PHOENIX[:2], "rover", ""),
+        (tuple(name.replace("phoenix", "drive") for name in PHOENIX), "rover", ""),
+    ],
+)
+def test_headers_of_a_maker(names: tuple[str, ...], package: str, expected: str) -> None:
+    assert ThirdParty(names, {"rover": package}).directory(names[0]) == expected

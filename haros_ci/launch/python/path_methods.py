@@ -201,7 +201,9 @@ METHODS: dict[str, Callable[[ScriptEvaluation, PathValue, LibraryCall], Any]] = 
     "joinpath": lambda run, path, call: PathValue(joined_path([path, *call.args])),
     "resolve": lambda run, path, call: PathValue(clean(path.text)),
     "absolute": lambda run, path, call: PathValue(clean(path.text)),
-    "expanduser": lambda run, path, call: run.unknown("the home directory is not known", call.location),
+    "expanduser": lambda run, path, call: run.unknown(
+        "the path begins in the home directory of the user who launches it", call.location
+    ),
     "as_posix": lambda run, path, call: path.text,
     "__str__": lambda run, path, call: path.text,
     "exists": lambda run, path, call: exists(

@@ -25,7 +25,8 @@ def include(run: LaunchEvaluation, action: Action, conditions: tuple[Condition, 
     passed = [(context.text(name), value) for name, value in action.arguments]
     includes.named(context, action, file)
     if not file.known:
-        message = f"includes {quoted(file.raw)}: {file.reasons[0]}; what it starts is unknown"
+        shown = quoted(file.raw) if file.raw.strip("?") else "a launch file by a path that is not known"
+        message = f"includes {shown}: {file.reasons[0]}; what it starts is unknown"
         includes.lost(context, action, file, message)
         return
     place = context.places.find(file.raw)
