@@ -6,6 +6,8 @@ from __future__ import annotations
 import pytest
 
 from haros_ci.linters.dead_statements import is_dead
+from haros_ci.linters.doubting import Doubting
+from haros_ci.linters.pylint import _is_doubted
 from haros_ci.linters.undefined_names import weighed_names
 from haros_ci.model.location import Location
 from haros_ci.results.result import Result
@@ -91,3 +93,27 @@ def weighed(text: str) -> tuple[Result, ...]:
         "pylint", "undefined-variable", Level.ERROR, "Undefined variable 'HERE'", Location("a.py", line, column + 1)
     )
     return weighed_names([found], lambda path: text, lambda path: False)
+
+
+#: What pylint reports at a statement that is never run, and whether it is left out there.
+REPORTED = [
+    ("undefined-variable", "error", True),
+    ("no-member", "error", True),
+    ("import-error", "error", True),
+    ("too-many-function-args", "error", True),
+    ("not-in-loop", "error", False),
+    ("nonlocal-without-binding", "error", False),
+    ("init-is-generator", "error", False),
+    ("bidirectional-unicode", "error", False),
+    ("unreachable", "warning", False),
+    ("unused-variable", "warning", False),
+    ("line-too-long", "convention", False),
+]
+
+
+@pytest.mark.parametrize(("rule", "kind", "is_left_out"), REPORTED)
+def test_what_pylint_says_there(rule: str, kind: str, is_left_out: bool) -> None:
+    text = "def f():\n    return 1\n    HERE.a(1)\n\n\nHERE.a(1)\n"
+    report = {"symbol": rule, "type": kind, "line": 3, "column": 4, "message": ""}
+    assert _is_doubted(report, "a.py", text, Doubting()) is is_left_out
+    assert not _is_doubted({**report, "line": 6, "column": 0}, "a.py", text, Doubting())

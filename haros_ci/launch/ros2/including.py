@@ -25,7 +25,7 @@ def include(run: LaunchEvaluation, action: Action, conditions: tuple[Condition, 
     passed = [(context.text(name), value) for name, value in action.arguments]
     includes.named(context, action, file)
     if not file.known:
-        shown = quoted(file.raw) if file.raw.strip("?") else "a launch file by a path that is not known"
+        shown = quoted(file.raw) if file.raw.strip(MARK) else "a launch file by a path that is not known"
         message = f"includes {shown}: {file.reasons[0]}; what it starts is unknown"
         includes.lost(context, action, file, message)
         return

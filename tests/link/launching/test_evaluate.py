@@ -141,7 +141,11 @@ def test_an_include_without_a_needed_argument_is_reported() -> None:
         ("a.launch.xml", "'a.launch.xml' depends on where launch is started"),
         ("$(find-pkg-share bot)/../../a.xml", "leads out of the workspace"),
         ("$(find-pkg-share bot)/no.launch.xml", "includes bot/no.launch.xml, which is not in the workspace"),
-        ("$(var x)", "launch configuration 'x' is not set; what it starts is unknown"),
+        (
+            "$(var x)",
+            "includes a launch file by a path that is not known: launch configuration 'x' is not set; what it starts is unknown",
+        ),
+        ("$(find-pkg-share bot)/$(var x)", "launch configuration 'x' is not set; what it starts is unknown"),
         ("$(find-pkg-share bot)/one.launch", "which is no ROS 2 launch file; correct the path"),
     ],
 )
