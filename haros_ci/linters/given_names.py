@@ -78,19 +78,25 @@ def is_given(path: str, name: str, text: str, runs: Callable[[str], bool] = lamb
         return True
     if "Import" not in text or not (GIVEN[-1].file.fullmatch(file) or runs(path)):
         return False
-    return name in _OF_SCONS or name in _imported(text)
+    imported = _imported(text)
+    return name in imported or (bool(imported) and name in _OF_SCONS)
 
 
 def _imported(text: str) -> frozenset[str]:
-    """The names that ``Import("env")`` brings into a script of SCons: texts, each with names between blanks."""
+    """The names that ``Import("env")`` brings into a script of SCons: texts, each with names between blanks.
+
+    The call is a statement of the module, so that the script cannot be run by anything else.
+    """
     tree = nodes(text)
-    if is_bound(tree, frozenset({"Import"})):
+    module = next(iter(tree), None)
+    if not isinstance(module, ast.Module) or is_bound(tree, frozenset({"Import"})):
         return frozenset()
+    calls = [node.value for node in module.body if isinstance(node, ast.Expr) and isinstance(node.value, ast.Call)]
     return frozenset(
         word
-        for node in tree
-        if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "Import"
-        for part in node.args
+        for call in calls
+        if isinstance(call.func, ast.Name) and call.func.id == "Import"
+        for part in call.args
         if isinstance(part, ast.Constant) and isinstance(part.value, str)
         for word in part.value.split()
     )

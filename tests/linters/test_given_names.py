@@ -36,6 +36,9 @@ GIVES_NOT = [
     ("SConstruct.py", "env", "env.Library('a')\n"),
     ("SConstruct.py", "env", "from a import Import\nImport('env')\nenv\n"),
     ("SConstruct.py", "env", "Import(env)\n"),
+    ("SConstruct.py", "corners", "def never():\n    Import('corners')\nuse(corners)\n"),
+    ("SConstruct.py", "corners", "# Import('corners')\nuse(corners)\n"),
+    ("SConstruct.py", "corners", "if False:\n    Import('corners')\nuse(corners)\n"),
     ("setup.py", "Environment", "Environment()\n"),
     ("script.py", "env", SCRIPT),
     ("wscript.py", "bld", "bld.program()\n"),
@@ -81,3 +84,9 @@ def test_an_extra_script_of_platformio(project: str, text: str, expected: bool) 
     assert is_given("fw/tools/script.py", "env", SCRIPT, runs) is expected
     assert is_given("fw/tools/script.py", "projenv", SCRIPT, runs) is expected
     assert not is_given("fw/tools/script.py", "board", SCRIPT, runs)
+
+
+@pytest.mark.parametrize("text", ["# Import\nEnvironment()\n", "def never():\n    Import('env')\nEnvironment()\n"])
+def test_a_program_that_calls_itself_an_extra_script(text: str) -> None:
+    assert not is_given("node.py", "Environment", text, lambda path: True)
+    assert is_given("node.py", "Environment", "Import('env')\n" + text, lambda path: True)
