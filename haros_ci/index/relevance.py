@@ -321,17 +321,15 @@ class Relevance:
         return result
 
     def _named(self, name: str, theirs: frozenset[str] = CONTAINERS) -> list[tuple[Source, Function | Class]]:
-        """What a name may mean; a method of containers and pointers (``.size``) that is one of *theirs* means that."""
-        if name.startswith(".") and name[1:] in theirs:
-            return []
-        name = name.removeprefix(".")
-        found = self._by_name.get(name, [])
-        visible = self._visible
-        if visible is None or not found:
+        """What a name may mean; a method of containers and pointers (``.size``) that is one of *theirs* means that, and in C++ any of these."""
+        if name.startswith(".") and name[1:] in CONTAINERS:
+            return [] if name[1:] in theirs else [item for item in self._named(name[1:]) if item[0].separator == "."]
+        found = self._by_name.get(name.removeprefix("."), [])
+        if self._visible is None or not found:
             return found
         known = self._meant.get(name)
         if known is None:
-            known = self._meant[name] = [item for item in found if item[0].path in visible]
+            known = self._meant[name] = [item for item in found if item[0].path in self._visible]
         return known
 
     def _of(self, source: Source, item: Function | Class) -> Iterable[str]:
