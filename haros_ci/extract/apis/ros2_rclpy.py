@@ -33,11 +33,6 @@ def of_type(kind: str, where: str) -> dict[str, object]:
 
 # fmt: off
 ROWS: tuple[dict[str, object], ...] = (
-    # Threads: what they run is called later (docs.python.org/3/library/threading.html).
-    {"class": "threading.Thread", "entry": ["run"]},
-    {"call": "threading.Thread", "calls": ["target", "1"]},
-    {"call": "threading.Timer", "calls": ["1", "function"]},
-
     # rclpy/node.py, rclpy/__init__.py: all options are keywords.
     {"call": NODE,
      "makes": [{"kind": "node", "name": "{0|node_name}", "namespace": "{namespace}", "options": "{keywords}"}]},

@@ -269,8 +269,8 @@ def _apply(applied: selectors.Applied, made: Object | None) -> Value | None:  # 
     for where in row.calls:
         value = selectors.select_value(applied, where)
         if value is not None and not isinstance(value, selectors.TypeValue):
-            value = partials.given(row.call, value, applied.args)
-            callbacks.register(walk, value, applied.args, row.call.rpartition("_parameters")[2] in UPDATES)
+            for called in partials.given(row.call, value, applied.args):
+                callbacks.register(walk, called, applied.args, row.call.rpartition("_parameters")[2] in UPDATES)
             if row.call.startswith(beside.BEGINNING):
                 beside.note(walk, value)
             if isinstance(value, Opaque) and applied.frame.source.separator == ".":
