@@ -16,15 +16,23 @@ PROCESSES = (
     "multiprocessing.context.SpawnProcess",
     "multiprocessing.process.BaseProcess",
 )
-_CONTEXT = "multiprocessing.context.BaseContext"
-#: What hands functions to threads or processes.
-POOL = "multiprocessing.pool.Pool"
-EXECUTOR = "concurrent.futures.Executor"
-_EXECUTORS = (
+#: Functions that make what hands functions to threads or processes.
+POOLS = (
+    "multiprocessing.Pool",
+    "multiprocessing.context.BaseContext.Pool",
+    "multiprocessing.pool.ThreadPool",
+    "multiprocessing.dummy.Pool",
+)
+EXECUTORS = (
     "concurrent.futures.ThreadPoolExecutor",
     "concurrent.futures.ProcessPoolExecutor",
     "concurrent.futures.thread.ThreadPoolExecutor",
     "concurrent.futures.process.ProcessPoolExecutor",
+)
+_CONTEXT, _POOL, _EXECUTOR = (
+    "multiprocessing.context.BaseContext",
+    "multiprocessing.pool.Pool",
+    "concurrent.futures.Executor",
 )
 
 # fmt: off
@@ -37,12 +45,10 @@ ROWS: tuple[Mapping[str, object], ...] = (
     *({"call": name, "calls": ["target", "1"]} for name in PROCESSES),
     {"call": "multiprocessing.get_context", "returns": _CONTEXT},
     {"call": f"{_CONTEXT}.Process", "calls": ["target", "1"]},
-    {"call": f"{_CONTEXT}.Pool", "returns": POOL},
-    {"call": "multiprocessing.Pool", "returns": POOL},
-    *({"call": name, "returns": POOL} for name in ("multiprocessing.pool.ThreadPool", "multiprocessing.dummy.Pool")),
-    *({"call": f"{POOL}.{name}", "calls": ["func", "0"]}
+    *({"call": name, "returns": _POOL} for name in POOLS),
+    *({"call": f"{_POOL}.{name}", "calls": ["func", "0"]}
       for name in ("apply", "apply_async", "map", "map_async", "imap", "imap_unordered")),
 
-    *({"call": name, "returns": EXECUTOR} for name in _EXECUTORS),
-    *({"call": f"{EXECUTOR}.{name}", "calls": ["fn", "0"]} for name in ("submit", "map")),
+    *({"call": name, "returns": _EXECUTOR} for name in EXECUTORS),
+    *({"call": f"{_EXECUTOR}.{name}", "calls": ["fn", "0"]} for name in ("submit", "map")),
 )

@@ -109,7 +109,9 @@ def call(
         )
         if found is not None:
             return found.held if isinstance(found, SetByNode) else found
-        return walk.opaque("a parameter that is not set", frame, location.line)
+        of_object = any(not isinstance(part, str) and part[0][0].startswith("this.") for part in returns.parts)
+        reason = f"what {name} returns is not known" if of_object else "a parameter that is not set"
+        return walk.opaque(reason, frame, location.line)
     if (
         any(entry.kind == "getters" and entry.each is None for entry in row.makes)
         and "value" not in row.makes[0].values
