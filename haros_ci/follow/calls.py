@@ -71,7 +71,7 @@ def call(walk: Walk, frame: Frame, expression: syntax.Call) -> Value:
         receiver_cell, receiver = expressions.located(walk, frame, callee.object)
         smart = receiver_cell is not None and is_smart_pointer(receiver_cell.type)
         args = call_arguments.arguments(walk, frame, written)
-        if smart and receiver_cell is not None and name in library.POINTER_METHODS:
+        if smart and receiver_cell is not None and _is_of_pointer(walk, frame, callee, receiver_cell):
             return library.pointer_method(walk, receiver_cell, name, args)
         if isinstance(receiver, Pointer):
             receiver_cell, receiver = receiver.cell, receiver.cell.value
@@ -103,6 +103,14 @@ def call(walk: Walk, frame: Frame, expression: syntax.Call) -> Value:
     if isinstance(function, Pointer):
         function = function.cell.value
     return apply(walk, frame, function, call_arguments.arguments(walk, frame, written), targs, location, callee)
+
+
+def _is_of_pointer(walk: Walk, frame: Frame, callee: syntax.Member, cell: Cell) -> bool:
+    """Whether a method is one of the smart pointer in *cell*: ``p.reset()``, and ``it->reset()`` of an iterator over pointers; ``p->reset()`` is the object's."""
+    if callee.name not in library.POINTER_METHODS or type(callee.object) is not syntax.Dereference:
+        return callee.name in library.POINTER_METHODS
+    of = callee.object.value
+    return isinstance(of, (syntax.Name, syntax.Member)) and expressions.cell_of(walk, frame, of) is not cell
 
 
 def method_call(  # noqa: C901 - one branch for each kind of receiver, in the order in which they are asked

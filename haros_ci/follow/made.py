@@ -137,8 +137,9 @@ def make(walk: Walk, made: MadeEntity) -> None:
     if known is not None:
         other = replace(made, conditions=conditions, unknowns=unknowns, dead=walk.ruled_out())
         conditions, unknowns = _both(walk, known, other)
-        if known.is_behind != made.is_behind:
+        if known.is_behind != made.is_behind:  # on one of the ways it is come to
             made = replace(made, is_behind=False)
+            unknowns = tuple(unknown for unknown in unknowns if unknown[:2] != ("conditions", BEHIND))
         if known.type != made.type or known.is_strict != made.is_strict:
             made = _as_known(known, made)
     dead = walk.ruled_out() if known is None else min(walk.ruled_out(), known.dead)

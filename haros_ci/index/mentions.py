@@ -23,10 +23,11 @@ READING = frozenset(
     "size length empty c_str str find rfind substr compare at begin end count get front back data lock expired isValid "
     "ok now toSec".split()
 )
-#: Methods of containers, texts and pointers: called on an object, they are taken for these.
-CONTAINERS = (
-    READING | COLLECTING | frozenset("clear erase resize reset set has swap pop_back pop push lock unlock".split())
-)
+#: Methods of containers and pointers that classes of a workspace have as often: called on another object, they may be either's.
+EITHER = frozenset("clear erase pop push reset resize set has swap".split())
+#: Methods of containers, texts and pointers that are taken for these; and those, too, that may be either's.
+THEIRS = READING | COLLECTING | frozenset("pop_back lock unlock".split())
+CONTAINERS = THEIRS | EITHER
 #: Methods of unrelated classes, distinguished by the number of their arguments.
 COUNTED = frozenset(("publish",))
 #: Stands for an assignment to an element among the names of a block.
@@ -78,7 +79,7 @@ def called_in(item: Part, found: set[str], mentioned: set[str], given: set[str],
                 if callee.name.endswith(("::make_shared", "::make_unique")):
                     found.add(callee.name.split("::")[-2])
             elif type(callee) is syntax.Member:
-                found.add(callee.name if callee.name in COLLECTING else f".{callee.name.rpartition('::')[2]}")
+                found.add(_spelled(callee))
                 if callee.name in PAIR and source.separator == "::":
                     found.add(CALLED)
                 if callee.name in COUNTED:
@@ -111,6 +112,14 @@ def called_in(item: Part, found: set[str], mentioned: set[str], given: set[str],
         elif type(node) is syntax.Name or type(node) is syntax.Member:
             mentioned.add(last(node.name))
         waiting += below(node)
+
+
+def _spelled(callee: syntax.Member) -> str:
+    """How the call of a method looks: ``.name``, or ``name`` if it is one of the object itself or of a base, or puts something into a list."""
+    name = callee.name.rpartition("::")[2]
+    on = callee.object.callee if type(callee.object) is syntax.Call else callee.object
+    is_own = type(on) is syntax.This or (type(on) is syntax.Name and on.name == "super")
+    return callee.name if callee.name in COLLECTING else name if is_own and name in CONTAINERS else f".{name}"
 
 
 def grouped(program: syntax.Program) -> list[tuple[str, str]]:

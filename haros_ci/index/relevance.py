@@ -16,6 +16,7 @@ from haros_ci.index.mentions import (
     EDITING,
     ELEMENT,
     LOADERS,
+    THEIRS,
     callable_variables,
     called_in,
     commands,
@@ -276,7 +277,7 @@ class Relevance:
                 is_barren = False
                 if counts(item, where):
                     return True
-            waiting += [found for name in names for found in self._named(name)]
+            waiting += [found for name in names for found in self._named(name, THEIRS)]
         if is_barren:  # and so is all that it reaches
             self._barren |= seen
         return False
@@ -306,7 +307,7 @@ class Relevance:
         waiting = [name]
         result = False
         while waiting and not result:
-            for source, item in self._named(waiting.pop()):
+            for source, item in self._named(waiting.pop(), THEIRS):
                 for inner in self._of(source, item):
                     if inner in self._api or self._known.get(inner):
                         result = True
@@ -319,19 +320,16 @@ class Relevance:
             self._known.update(dict.fromkeys(reached, False))
         return result
 
-    def _named(self, name: str) -> list[tuple[Source, Function | Class]]:
-        """What a name may mean; a method of containers and pointers (``.clear``) means theirs."""
-        if name.startswith("."):
-            if name[1:] in CONTAINERS:
-                return []
-            name = name[1:]
-        found = self._by_name.get(name, [])
-        visible = self._visible
-        if visible is None or not found:
+    def _named(self, name: str, theirs: frozenset[str] = CONTAINERS) -> list[tuple[Source, Function | Class]]:
+        """What a name may mean; a method of containers and pointers (``.size``) that is one of *theirs* means that, and in C++ any of these."""
+        if name.startswith(".") and name[1:] in CONTAINERS:
+            return [] if name[1:] in theirs else [item for item in self._named(name[1:]) if item[0].separator == "."]
+        found = self._by_name.get(name.removeprefix("."), [])
+        if self._visible is None or not found:
             return found
         known = self._meant.get(name)
         if known is None:
-            known = self._meant[name] = [item for item in found if item[0].path in visible]
+            known = self._meant[name] = [item for item in found if item[0].path in self._visible]
         return known
 
     def _of(self, source: Source, item: Function | Class) -> Iterable[str]:

@@ -62,3 +62,14 @@ def test_a_flag_that_the_callback_sets_itself(tick: str) -> None:
 )
 def test_a_flag_that_nobody_sets_in_time(body: str, members: str) -> None:
     assert reasons(body, members) == [BEHIND]
+
+
+@pytest.mark.parametrize("order", [TIMER + SUBSCRIBED, SUBSCRIBED + TIMER])
+def test_what_one_of_two_ways_comes_to(order: str) -> None:
+    """A function that begins once, called by a callback that waits for another and by one that never gets there."""
+    members = (
+        "void got(String::SharedPtr m) { if (!ready_) return; begin(); }\n"
+        "void tick() { ready_ = true; if (n_ == 0) return; begin(); }\n"
+        'bool begun_{false}; void begin() { if (begun_) return; begun_ = true; p_ = create_publisher<String>("x", 1); }\n'
+    )
+    assert BEHIND not in reasons(order, members)

@@ -50,6 +50,10 @@ def call(unit: Unit, node: Node, depth: int) -> syntax.Expression:
     return syntax.Call(callee, expressions.arguments(unit, argument, depth), chosen, line, column)
 
 
+#: Methods of smart pointers, which ``p.reset()`` calls; ``p->reset()`` calls that of the object, as ``(*p).reset()`` does ([expr.ref]).
+OF_POINTERS = frozenset(("reset", "get", "release", "use_count", "unique", "swap"))
+
+
 def _member(unit: Unit, node: Node, depth: int) -> tuple[syntax.Expression, tuple[syntax.Argument, ...]]:
     """A member access, and the template arguments after it."""
     children = node.children
@@ -59,6 +63,8 @@ def _member(unit: Unit, node: Node, depth: int) -> tuple[syntax.Expression, tupl
     inner = expressions.expression(unit, receiver, depth)
     if operator.end_byte - operator.start_byte > 1 and unit.text[operator.end_byte - 1] == "*":
         return syntax.Operation(unit.cut(operator), (inner, expressions.expression(unit, member, depth))), ()
+    if unit.cut(member) in OF_POINTERS and unit.cut(operator) == "->" and type(inner) is not syntax.This:
+        inner = syntax.Dereference(inner)
     kind = member.kind_id
     if kind in _DEPENDENT or kind in _TEMPLATE_METHOD or kind in _QUALIFIED:
         name, chosen = types.path(unit, member, depth)
