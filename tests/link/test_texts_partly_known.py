@@ -17,6 +17,7 @@ def made(body: str) -> list[str]:
     ("written", "expected"),
     [
         ("re.sub('[^a-zA-Z0-9_/]', '_', n)", "/?/sensor/Hum"),
+        ("re.sub('[^0-9a-zA-Z_/~{}]', '_', n)", "/?/sensor/Hum"),
         ("re.sub(r'[^\\w/]', '_', n)", "/?/sensor/Hum"),
         ("re.sub('[sS]', 'z', n)", "/?/zenzor/Hum"),
         ("re.sub('[^a-z/]+', '_', n)", "/?/sensor/_um"),
@@ -48,6 +49,7 @@ def made(body: str) -> list[str]:
         ("re.sub('[^a-z]', lambda m: 'b', n)", "/?"),
         ("re.sub('[z-a]', '_', n)", "/?"),
         ("re.sub('[a--b]', '_', n)", "/?"),
+        ("re.sub('[a&&b]', '_', n)", "/?"),
         ("re.sub('[a-z]', '_', n, 1)", "/?"),
         ("re.sub(x(), '_', n)", "/?"),
         ("re.sub('[a-z]', '_', x())", "/?"),

@@ -32,7 +32,7 @@ if TYPE_CHECKING:
 Parts = tuple[str | Opaque, ...]
 #: Patterns that match one character, or a run of such: a set without nested ones or differences, an escape for a kind, a plain letter.
 _SET = re.compile(
-    r"(?:\[\^?(?:[\w/ .,:;@#%!?=*()^$+-]|\\[wdsWDS/.-]){1,100}\]|\\[wdsWDS/.-]|[A-Za-z0-9_/ ,:;@#%!=-])(\+?)"
+    r"(?:\[\^?(?:[\w/ .,:;@#%!?=*()^$+{}~<>'\"|&-]|\\[wdsWDS/.-]){1,100}\]|\\[wdsWDS/.-]|[A-Za-z0-9_/ ,:;@#%!=-])(\+?)"
 )
 _SETS_OF_SETS = ("--", "||", "&&", "~~")
 _BLANK = " \t\n\r\x0b\x0c"
