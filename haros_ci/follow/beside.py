@@ -15,7 +15,7 @@ from haros_ci.values.abstract import Callable, Library, Object, Pointer, Value
 #: How the last words of what spins begin (rclcpp/executors.hpp, rclpy/__init__.py, rclpy/executors.py).
 SPINS = "spin"
 #: How the names of what begins threads begin, of the rows that call functions back.
-BEGINNING = ("threading.", "std::", "boost::")
+BEGINNING = ("threading.", "concurrent.futures.", "multiprocessing.pool.", "std::", "boost::")
 #: The last words of functions that wait: of threads, rates, clocks, futures and clients.
 WAITING = ("sleep", "wait")
 

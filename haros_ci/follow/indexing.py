@@ -20,6 +20,7 @@ from haros_ci.values.abstract import (
     Mapped,
     Object,
     Opaque,
+    Partial,
     Sequence,
     Value,
     join,
@@ -56,6 +57,8 @@ def indexed(walk: Walk, frame: Frame, expression: syntax.Subscript) -> Value:  #
         if isinstance(pairs, dict) and isinstance(key, Known) and issubclass(key.kind, (str, int)):
             thrown.throws(walk, thrown.KEY)
     cells = container.content.value if isinstance(container, Sequence) else ()
+    if isinstance(cells, Partial) and cells.last is not None and key == Known(-1) and frame.source.separator == ".":
+        return cells.last.value
     if isinstance(cells, tuple) and isinstance(container, Sequence) and isinstance(key, Known):
         if frame.source.separator == ".":
             thrown.throws(walk, thrown.INDEX)

@@ -43,22 +43,53 @@ def called(value: Object, args: tuple[PassedArgument, ...]) -> tuple[Value, tupl
     return value.fields[_FUNCTION].value, (*first, *args, *named)
 
 
-#: Where functions that call back take a tuple of arguments for that, and a dictionary of keywords (docs.python.org/3/library/threading.html).
-_THREADS = {"threading.Thread": (3, 4), "threading.Timer": (2, 3)}
+#: Where functions that call back take a tuple of arguments for that and a dictionary of keywords, by the last part of the call: two places and names
+#: (docs.python.org/3/library/threading.html, multiprocessing.html).
+_PACKED = {
+    "Timer": (2, "args", 3, "kwargs"),
+    "apply": (1, "args", 2, "kwds"),
+    "apply_async": (1, "args", 2, "kwds"),
+    **dict.fromkeys(("Thread", "Process", "ForkProcess", "SpawnProcess", "BaseProcess"), (3, "args", 4, "kwargs")),
+}
+#: How the names of these begin, which other libraries have, too.
+_LIBRARIES = ("threading.", "multiprocessing.")
+#: concurrent.futures.html
+_SUBMIT, _ZIPPED = "concurrent.futures.Executor.submit", "concurrent.futures.Executor.map"
+#: Functions that call back once for every item of what they are given beside the function.
+_EACH = frozenset(f"multiprocessing.pool.Pool.{name}" for name in ("map", "map_async", "imap", "imap_unordered"))
+#: Items up to which each call is followed by itself.
+_ITEMS = 20
 #: Where a subscriber takes what its callback is given after the message (rospy/topics.py).
 _AFTER = {"rospy.Subscriber": 3}
 
 
-def given(call: str, function: Value, args: tuple[PassedArgument, ...]) -> Value:
-    """*function* as the *call* that it is given to calls it back, with the arguments that this takes for it."""
-    if call in _THREADS:
-        first, second = (_argument(args, *where) for where in zip(("args", "kwargs"), _THREADS[call], strict=True))
-        passed = (*_positional(first), *_keywords(second))
-        return partial(function, passed) if passed and isinstance(function, (Callable, Object)) else function
+def given(call: str, function: Value, args: tuple[PassedArgument, ...]) -> tuple[Value, ...]:
+    """*function* as the *call* that it is given to calls it back, with the arguments that this takes for it; once for each such call."""
+    places = _PACKED.get(call.rpartition(".")[2]) if call.startswith(_LIBRARIES) else None
+    if places is not None:
+        first, second = _argument(args, places[1], places[0]), _argument(args, places[3], places[2])
+        return (_with(function, (*_positional(first), *_keywords(second))),)
+    if call == _SUBMIT:
+        return (_with(function, args[1:]),)
+    if call in _EACH or call == _ZIPPED:
+        given_items = [argument.value for argument in args if not argument.keyword][1:]
+        return _for_each(function, given_items if call == _ZIPPED else given_items[:1])
     after = _argument(args, "callback_args", _AFTER[call]) if call in _AFTER else None
     if after is None or after == NONE or not isinstance(function, Callable):
-        return function
-    return replace(function, bound=(*function.bound, None, after))
+        return (function,)
+    return (replace(function, bound=(*function.bound, None, after)),)
+
+
+def _for_each(function: Value, iterables: list[Value]) -> tuple[Value, ...]:
+    """*function* with an item of each of *iterables*, as often as there are some; once with what is not known where one is not known."""
+    items = [_positional(iterable) for iterable in iterables]
+    if not items or any(not 0 < len(some) <= _ITEMS or some[0].keyword for some in items):
+        return (_with(function, tuple(call_arguments.PassedArgument(Opaque(call_arguments.UNPACKED)) for _ in items)),)
+    return tuple(_with(function, passed) for passed in zip(*items, strict=False))
+
+
+def _with(function: Value, passed: tuple[PassedArgument, ...]) -> Value:
+    return partial(function, passed) if passed and isinstance(function, (Callable, Object)) else function
 
 
 def _argument(args: tuple[PassedArgument, ...], name: str, number: int) -> Value | None:

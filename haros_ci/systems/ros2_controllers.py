@@ -20,7 +20,8 @@ from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import objects as library_objects
 from haros_ci.follow.ros import api_rows, ros2_nodes
 from haros_ci.follow.walk import Walk
-from haros_ci.graph.ros2_process import Parameters
+from haros_ci.graph.names import pattern
+from haros_ci.graph.ros2_process import NAMES, Parameters
 from haros_ci.index.index import Source
 from haros_ci.model.architecture import Node
 from haros_ci.model.build import PluginClass
@@ -32,7 +33,8 @@ from haros_ci.systems.entries import Programs, base_of, described_classes
 from haros_ci.systems.following import Controller, Types
 from haros_ci.systems.ros2_processes import Started
 from haros_ci.systems.system import PROGRAM, Job
-from haros_ci.values.abstract import Cell, Object, Opaque, Pointer
+from haros_ci.values.abstract import Cell, Object, Opaque, Pointer, Sequence, Value
+from haros_ci.values.given import marked
 
 #: Base classes of plug-ins, and the class of the framework that both kinds of each have (as in extract/apis/ros2_control.py).
 CONTROLLERS = frozenset(
@@ -155,7 +157,12 @@ def _begin(source: Source, definition: Class, base: str, walk: Walk, frame: Fram
 
 
 def _node(walk: Walk, is_controller: bool, location: Location) -> Object:
-    """The node of a controller or hardware component, under the name that it is loaded by."""
+    """The node of a controller or hardware component, under the name that it is loaded by.
+
+    A controller is given its name beside its options, in which no release has a rule for it (``determine_controller_node_options`` in
+    controller_manager.cpp); so another node that is made with them has a name of its own. Those of a component have such a rule
+    (hardware_component_interface.cpp).
+    """
     options = ros2_nodes.options_for(walk)
     for item in ros2_nodes.MAY_DECLARE:
         options.fields[item] = Cell(Opaque("whether it is set depends on the release", location))
@@ -164,7 +171,25 @@ def _node(walk: Walk, is_controller: bool, location: Location) -> Object:
     name = Opaque(CALLED if is_controller else COMPONENT, location)
     node.node = ros2_nodes.made(walk, node, name, None, options, location, is_controller)
     node.node.options[ros2_nodes.MANAGED] = False
+    if is_controller:
+        node.fields[ros2_nodes.GIVEN] = Cell(_unnamed(options))
     return node
+
+
+def _unnamed(options: Object) -> Object:
+    """A copy of a node's options without the rules that name the node."""
+    result = ros2_nodes.copied(options)
+    words = result.fields["arguments"].value
+    cells = words.content.value if isinstance(words, Sequence) else None
+    if isinstance(cells, tuple):
+        named = {at for at, cell in enumerate(cells) if _is_naming(cell.value)}
+        kept = tuple(cell for at, cell in enumerate(cells) if at not in named and at + 1 not in named)
+        result.fields["arguments"] = Cell(Sequence(Cell(kept)))
+    return result
+
+
+def _is_naming(word: Value) -> bool:
+    return pattern(marked(word))[0].partition(":=")[0] in NAMES
 
 
 def _know_base(walk: Walk, this: Object, base: str, location: Location) -> None:

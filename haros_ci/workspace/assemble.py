@@ -25,6 +25,11 @@ _OF_ROS = re.compile(r"#[ \t]*include[ \t]*[<\"](?:ros\.h|rosserial|ArduinoHardw
 #: The branch of Python modules that are started, and what imports a client library of ROS.
 _STARTED = re.compile(r"""^if[ (]+__name__\s*==\s*["']__main__["']""", re.MULTILINE)
 _CLIENT = re.compile(r"^(?:import|from)[ \t]+(?:rospy|rclpy)\b", re.MULTILINE)
+#: What a launch file has, by its language (design.ros2.org/articles/roslaunch.html, wiki.ros.org/roslaunch/XML).
+_LAUNCHES = {
+    "launch": re.compile(r"<launch\b|^launch[ \t]*:", re.MULTILINE),
+    "python": re.compile(r"^def[ \t]+generate_launch_description\b", re.MULTILINE),
+}
 #: The name of a package, in a manifest that no parser takes.
 _NAME = re.compile(rb"<name>\s*([A-Za-z][\w-]{0,99})\s*</name>")
 _TESTS = frozenset(("test", "tests"))
@@ -144,6 +149,7 @@ def assemble(
     found += _of_rosbuild(owned, names, reader)
     found += _of_sketches(names, reader)
     found += _of_no_package(owned, reader)
+    found += _launch_files_of_no_package(owned, reader)
     return Workspace(
         root=root,
         packages=tuple(sorted((package for package, _ in packages.values()), key=lambda p: (p.path, p.name))),
@@ -257,6 +263,27 @@ def _of_no_package(files: Iterable[SourceFile], reader: TextReader) -> Iterable[
         yield Problem(
             min(found), f"{what} in no package: what nodes publish and subscribe to there is not in the model"
         )
+
+
+def _launch_files_of_no_package(files: Iterable[SourceFile], reader: TextReader) -> Iterable[Problem]:
+    """One problem for all launch files that lie in no package: people start them by their paths, and they are no configuration."""
+    found = []
+    for file in files:
+        launches = _LAUNCHES.get(file.language)
+        if file.package is None and launches is not None and not file.third_party:
+            *directories, name = file.path.split("/")
+            if file.language == "python" and not name.endswith("launch.py"):
+                continue
+            if _TESTS.isdisjoint(directories) and launches.search(reader.text(file.path)):
+                found.append(file.path)
+    if found:
+        others = len(found) - 1
+        what = (
+            f"this and {others} more launch file{'s' if others > 1 else ''} lie"
+            if others
+            else "a launch file that lies"
+        )
+        yield Problem(min(found), f"{what} in no package: what is started there is no configuration of the model")
 
 
 def in_order(problems: Iterable[Problem]) -> tuple[Problem, ...]:

@@ -145,3 +145,50 @@ SUB = "rospy.Subscriber('s', String, %s)"
 )
 def test_what_a_function_takes_along(body: str, expected: list[str]) -> None:
     assert made(body) == expected
+
+
+MP, POOL, FUTURES = (
+    "import multiprocessing as mp\n",
+    "import multiprocessing as mp\np = mp.Pool(2)\n",
+    "import concurrent.futures as c\n",
+)
+WITH = FUTURES + "with c.ThreadPoolExecutor(max_workers=2) as e:\n    "
+
+
+@pytest.mark.parametrize(
+    ("call", "expected"),
+    [
+        (MP + "mp.Process(target=f, args=('a',), kwargs={'y': 'k'}).start()", ["/ak"]),
+        (MP + "mp.Process(None, f, 'name', ('a',)).start()", ["/ad"]),
+        (MP + "mp.get_context('spawn').Process(target=f, args=('a',)).start()", ["/ad"]),
+        (MP + "for i in range(1):\n    mp.Process(target=f, args=('sim%d' % (i + 1),)).start()", ["/sim1d"]),
+        (
+            MP + "class P(mp.Process):\n    def __init__(self, n):\n        super().__init__()\n        self.n = n\n"
+            "    def run(self):\n        f(self.n)\nP('a').start()",
+            ["/ad"],
+        ),
+        (WITH + "e.submit(f, 'a', y='q')", ["/aq"]),
+        (WITH + "e.map(f, ['a', 'b'])", ["/ad", "/bd"]),
+        (
+            FUTURES
+            + "class X:\n    def __init__(self):\n        self.e = c.ProcessPoolExecutor()\n        self.e.submit(f, 'a')\nX()",
+            ["/ad"],
+        ),
+        (POOL + "p.apply_async(f, args=('a',), kwds={'y': 'w'})", ["/aw"]),
+        (POOL + "p.map(f, ['a', 'b'])", ["/ad", "/bd"]),
+        # what is not known, or not given
+        (MP + "mp.Process(target=f, args=x()).start()", ["/?"]),
+        (MP + "mp.Process(target=f, args=(x(),)).start()", ["/?d"]),
+        (MP + "mp.Process(target=lambda: PUB('l')).start()", ["/l"]),
+        (MP + "mp.Process(target=x()).start()", []),
+        (MP + "class P(mp.Process):\n    def go(self):\n        f('a')\nP().start()", []),
+        (WITH + "e.map(f, x())", ["/?d"]),
+        (WITH + "e.map(f, ['a'], ['b'])", ["/ab"]),
+        (WITH + "e.map(f, ['a'], x())", ["/?"]),
+        (WITH + "e.submit(f, *x())", ["/?"]),
+        (POOL + "p.map(f, [])", ["/?d"]),
+        (POOL + "p.apply(f, x())", ["/?"]),
+    ],
+)
+def test_arguments_that_processes_and_pools_are_given(call: str, expected: list[str]) -> None:
+    assert made(GIVEN + call) == expected

@@ -94,11 +94,11 @@ WORKER = "import multiprocessing\nfrom multiprocessing import Process\nclass W(%
 
 
 @pytest.mark.parametrize("base", ["Process", "multiprocessing.Process"])
-def test_a_process_of_its_own_is_named_as_not_followed(base: str) -> None:
+def test_a_process_of_its_own_is_followed_and_named(base: str) -> None:
     found = python(WORKER % (base, "rospy.init_node('w')\n        PUB('w')"))
-    assert not names(found)
+    assert names(found) == ["/w"]
     assert [(u.field, u.reason) for u in found.unknowns][:1] == [
-        ("endpoints", "W is a process of its own, and what that makes is not followed")
+        ("endpoints", "W is a process of its own: what that makes is told of the node that starts it")
     ]
 
 

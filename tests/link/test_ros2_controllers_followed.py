@@ -134,6 +134,15 @@ def test_one_class_under_two_names_and_parameters() -> None:
     assert names(lift(alone_found)) == ["/t"]
 
 
+def test_another_node_that_is_made_with_the_options_of_a_controller_s_node() -> None:
+    name = 'std::string(get_node()->get_name()) + "_more"'
+    made = f"auto more = std::make_shared<rclcpp::Node>({name}, get_node()->get_namespace(), get_node()->get_node_options());\n"
+    code = controller(on_init=made + 'more->create_publisher<String>("~/m", 1);' + PUB.format("~/a"))
+    (found,) = followed(code, MANAGER + SPAWNER.format("lift")).configurations
+    nodes = {node.name: names(node) for node in found.nodes if node.type == "arm/Lift"}
+    assert nodes == {"/lift": ["/lift/a"], "/lift_more": ["/lift_more/m"]}
+
+
 def test_the_manager_s_namespace_and_remappings_of_the_spawner() -> None:
     args = "lift -c /a/controller_manager --controller-ros-args '-r ~/state:=/seen'"
     manager = MANAGER.replace("exec", 'namespace="a" exec')

@@ -515,6 +515,47 @@ def test_other_python_is_not_named(tmp_path: Path, files: dict[str, bytes]) -> N
     assert messages(discover(plant(tmp_path, files), (".",))) == []
 
 
+PYTHON_LAUNCH = (
+    b"from launch import LaunchDescription\ndef generate_launch_description():\n    return LaunchDescription([])\n"
+)
+XML_LAUNCH = b"<launch>\n</launch>\n"
+STRAY = "{} in no package: what is started there is no configuration of the model"
+
+
+@pytest.mark.parametrize(
+    ("files", "words"),
+    [
+        ({"launch.py": PYTHON_LAUNCH}, "a launch file that lies"),
+        ({"a/top.launch": XML_LAUNCH, "b_launch.py": PYTHON_LAUNCH}, "this and 1 more launch file lie"),
+        (
+            {"a.launch.xml": XML_LAUNCH, "b.launch.yaml": b"launch:\n- node: {pkg: p}\n", "c.launch.py": PYTHON_LAUNCH},
+            "this and 2 more launch files lie",
+        ),
+    ],
+)
+def test_launch_files_in_no_package_are_named_once(tmp_path: Path, files: dict[str, bytes], words: str) -> None:
+    assert messages(discover(plant(tmp_path, files), (".",))) == [(min(files), STRAY.format(words))]
+
+
+@pytest.mark.parametrize(
+    "files",
+    [
+        {"launch.py": b"import os\nos.system('make')\n"},
+        {"launch.py": b"# def generate_launch_description\n"},
+        {"start.py": PYTHON_LAUNCH},
+        {"test/a.launch.py": PYTHON_LAUNCH},
+        {"a.launch": b"[program]\nname=x\n"},
+        {"a.xml": XML_LAUNCH},
+        {"a.launch.yaml": b"services: []\n"},
+        {"arm/launch.py": PYTHON_LAUNCH, "arm/package.xml": manifest("arm")},
+        {"arm/launch/a.launch": XML_LAUNCH, "arm/package.xml": manifest("arm")},
+        {"a.launch.py.in": PYTHON_LAUNCH},
+    ],
+)
+def test_other_launch_files_are_not_named(tmp_path: Path, files: dict[str, bytes]) -> None:
+    assert messages(discover(plant(tmp_path, files), (".",))) == []
+
+
 def test_a_package_of_rosbuild_that_is_left_out_is_not_named(tmp_path: Path) -> None:
     plant(tmp_path, {f"old/{name}": data for name, data in ROSBUILD.items()})
     assert messages(discover(tmp_path, (".",), exclude=("old",))) == []

@@ -53,7 +53,8 @@ def _service(call: str, args: list[int], name: int, generic: bool = False, **mor
     kind = {"type": f"{{{name + 1}}}"} if generic else {"type": f"{{<0>|callback({callback})}}"}
     keys = {**kind, "qos": f"{{{callback + 1}?{SERVICES}}}", **more}
     returns = "rclcpp::GenericService" if generic else SERVICE
-    return [_row(call, args, "servers", name, **keys, calls=[str(callback)], returns=returns)]
+    fills = {"service": f"{{resolve({name})}}"}
+    return [_row(call, args, "servers", name, **keys, calls=[str(callback)], fills=fills, returns=returns)]
 
 
 def _client(call: str, args: list[int], name: int, generic: bool = False, **more: Any) -> list[dict[str, object]]:
@@ -61,7 +62,9 @@ def _client(call: str, args: list[int], name: int, generic: bool = False, **more
     qos = name + 1 + generic
     kind = {"type": f"{{{name + 1}}}"} if generic else {"type": "{<0>}"}
     returns = "rclcpp::GenericClient" if generic else CLIENT
-    return [_row(call, args, "clients", name, **kind, qos=f"{{{qos}?{SERVICES}}}", **more, returns=returns)]
+    fills = {"service": f"{{resolve({name})}}"}
+    keys = {**kind, "qos": f"{{{qos}?{SERVICES}}}", **more}
+    return [_row(call, args, "clients", name, **keys, fills=fills, returns=returns)]
 
 
 NODE: dict[str, Any] = {"namespace": "{0}"}
@@ -101,6 +104,11 @@ ROWS: tuple[Mapping[str, object], ...] = (
       for name in ("Subscription", "GenericSubscription")),
     {"call": "rclcpp::PublisherBase::get_topic_name", "args": [0], "returns": "{this.topic}"},
     {"call": "rclcpp::SubscriptionBase::get_topic_name", "args": [0], "returns": "{this.topic}"},
+    # rclcpp/service.hpp, client.hpp
+    *({"class": f"rclcpp::{name}", "bases": ["rclcpp::ServiceBase"]} for name in ("Service", "GenericService")),
+    *({"class": f"rclcpp::{name}", "bases": ["rclcpp::ClientBase"]} for name in ("Client", "GenericClient")),
+    *({"call": f"rclcpp::{name}::get_service_name", "args": [0], "returns": "{this.service}"}
+      for name in ("ServiceBase", "ClientBase")),
     {"call": "rclcpp::wait_for_message", "args": [3, 4], "when": {"2": "string"},
      "makes": [{"kind": "subscribers", "name": "{2}", "type": "{<0>|typename(0)}", "qos": 1, "namespace": "{1}"}],
      "sets": {"0": "{parameter}"}},

@@ -33,11 +33,6 @@ def of_type(kind: str, where: str) -> dict[str, object]:
 
 # fmt: off
 ROWS: tuple[dict[str, object], ...] = (
-    # Threads: what they run is called later (docs.python.org/3/library/threading.html).
-    {"class": "threading.Thread", "entry": ["run"]},
-    {"call": "threading.Thread", "calls": ["target", "1"]},
-    {"call": "threading.Timer", "calls": ["1", "function"]},
-
     # rclpy/node.py, rclpy/__init__.py: all options are keywords.
     {"call": NODE,
      "makes": [{"kind": "node", "name": "{0|node_name}", "namespace": "{namespace}", "options": "{keywords}"}]},
@@ -76,12 +71,12 @@ ROWS: tuple[dict[str, object], ...] = (
                 "qos": f"{{qos_profile?{SERVICES}}}"}],
      "calls": ["2", "callback"],
      "returns": "rclpy.service.Service",
-     "fills": {"srv_name": "{1|srv_name}"}},
+     "fills": {"srv_name": "{1|srv_name}", "service_name": "{resolve(1|srv_name)}"}},
     {"call": f"{NODE}.create_client",
      "makes": [{"kind": "clients", "name": "{1|srv_name}", "type": "{typename(0|srv_type)}",
                 "qos": f"{{qos_profile?{SERVICES}}}"}],
      "returns": "rclpy.client.Client",
-     "fills": {"srv_name": "{1|srv_name}"}},
+     "fills": {"srv_name": "{1|srv_name}", "service_name": "{resolve(1|srv_name)}"}},
 
     # rclpy/node.py: timers, rates, guard conditions.
     {"call": f"{NODE}.create_timer", "makes": [{"kind": "timer", "period": "{0|timer_period_sec}"}],

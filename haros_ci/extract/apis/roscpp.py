@@ -30,25 +30,31 @@ ROWS: tuple[dict[str, object], ...] = (
     {"call": "ros::NodeHandle::advertise", "args": [1],
      "makes": [{"kind": "publishers", "name": "{0.topic}", "type": "{0.datatype}", "queue_size": "{0.queue_size}",
                 "latched": "{0.latch}"}],
-     "returns": "ros::Publisher"},
+     "returns": "ros::Publisher", "fills": {"topic": "{resolve(0.topic)}"}},
     {"call": "ros::NodeHandle::advertise", "args": [2],
      "makes": [{"kind": "publishers", "name": "{0}", "type": "{<0>}", "queue_size": "{1}", "latched": False}],
-     "returns": "ros::Publisher"},
+     "returns": "ros::Publisher", "fills": {"topic": "{resolve(0)}"}},
     {"call": "ros::NodeHandle::advertise", "args": [3], "when": {"2": "function"},
      "makes": [{"kind": "publishers", "name": "{0}", "type": "{<0>}", "queue_size": "{1}", "latched": False}],
-     "calls": ["2"], "returns": "ros::Publisher"},
+     "calls": ["2"], "returns": "ros::Publisher", "fills": {"topic": "{resolve(0)}"}},
     {"call": "ros::NodeHandle::advertise", "args": [3], "when": {"2": "ros::SubscriberStatusCallback"},
      "makes": [{"kind": "publishers", "name": "{0}", "type": "{<0>}", "queue_size": "{1}", "latched": False}],
-     "calls": ["2"], "returns": "ros::Publisher"},
+     "calls": ["2"], "returns": "ros::Publisher", "fills": {"topic": "{resolve(0)}"}},
     {"call": "ros::NodeHandle::advertise", "args": [3],
      "makes": [{"kind": "publishers", "name": "{0}", "type": "{<0>}", "queue_size": "{1}", "latched": "{2}"}],
-     "calls": ["2"], "returns": "ros::Publisher"},
+     "calls": ["2"], "returns": "ros::Publisher", "fills": {"topic": "{resolve(0)}"}},
     {"call": "ros::NodeHandle::advertise", "args": [4, 5],
      "makes": [{"kind": "publishers", "name": "{0}", "type": "{<0>}", "queue_size": "{1}", "latched": False}],
-     "calls": ["2", "3"], "returns": "ros::Publisher"},
+     "calls": ["2", "3"], "returns": "ros::Publisher", "fills": {"topic": "{resolve(0)}"}},
     {"call": "ros::NodeHandle::advertise", "args": [6],
      "makes": [{"kind": "publishers", "name": "{0}", "type": "{<0>}", "queue_size": "{1}", "latched": "{5}"}],
-     "calls": ["2", "3"], "returns": "ros::Publisher"},
+     "calls": ["2", "3"], "returns": "ros::Publisher", "fills": {"topic": "{resolve(0)}"}},
+
+    # ros/publisher.h, subscriber.h, service_server.h, service_client.h: the resolved name.
+    {"call": "ros::Publisher::getTopic", "args": [0], "returns": "{this.topic}"},
+    {"call": "ros::Subscriber::getTopic", "args": [0], "returns": "{this.topic}"},
+    {"call": "ros::ServiceServer::getService", "args": [0], "returns": "{this.service}"},
+    {"call": "ros::ServiceClient::getService", "args": [0], "returns": "{this.service}"},
 
     # ros/advertise_options.h
     {"call": "ros::AdvertiseOptions", "args": [0], "fills": {"latch": "false"}},
@@ -63,10 +69,10 @@ ROWS: tuple[dict[str, object], ...] = (
     # ros/node_handle.h: subscribe with a function, a method and its object, a boost::function, with or without hints.
     {"call": "ros::NodeHandle::subscribe", "args": [1],
      "makes": [{"kind": "subscribers", "name": "{0.topic}", "type": "{0.datatype}", "queue_size": "{0.queue_size}"}],
-     "returns": "ros::Subscriber"},
+     "returns": "ros::Subscriber", "fills": {"topic": "{resolve(0.topic)}"}},
     {"call": "ros::NodeHandle::subscribe", "args": [3, 4, 5],
      "makes": [{"kind": "subscribers", "name": "{0}", "type": "{<0>|callback(2)}", "queue_size": "{1}"}],
-     "calls": ["2"], "returns": "ros::Subscriber"},
+     "calls": ["2"], "returns": "ros::Subscriber", "fills": {"topic": "{resolve(0)}"}},
 
     # ros/subscribe_options.h
     {"call": "ros::SubscribeOptions", "args": [0], "fills": {"queue_size": "1"}},
@@ -97,13 +103,13 @@ ROWS: tuple[dict[str, object], ...] = (
     # ros/node_handle.h: advertiseService. With three arguments the first template argument may be the object's class.
     {"call": "ros::NodeHandle::advertiseService", "args": [1],
      "makes": [{"kind": "servers", "name": "{0.service}", "type": "{0.datatype}"}],
-     "returns": "ros::ServiceServer"},
+     "returns": "ros::ServiceServer", "fills": {"service": "{resolve(0.service)}"}},
     {"call": "ros::NodeHandle::advertiseService", "args": [2],
      "makes": [{"kind": "servers", "name": "{0}", "type": "{<0>|callback(1)}"}],
-     "calls": ["1"], "returns": "ros::ServiceServer"},
+     "calls": ["1"], "returns": "ros::ServiceServer", "fills": {"service": "{resolve(0)}"}},
     {"call": "ros::NodeHandle::advertiseService", "args": [3],
      "makes": [{"kind": "servers", "name": "{0}", "type": "{callback(1)}"}],
-     "calls": ["1"], "returns": "ros::ServiceServer"},
+     "calls": ["1"], "returns": "ros::ServiceServer", "fills": {"service": "{resolve(0)}"}},
 
     # ros/advertise_service_options.h; a Spec is a type of callback, such as ros::ServiceEvent.
     {"call": "ros::AdvertiseServiceOptions::init", "args": [2],
@@ -116,10 +122,10 @@ ROWS: tuple[dict[str, object], ...] = (
     # ros/node_handle.h: serviceClient<Service> and serviceClient<Request, Response>
     {"call": "ros::NodeHandle::serviceClient", "args": [1], "when": {"0": "ros::ServiceClientOptions"},
      "makes": [{"kind": "clients", "name": "{0.service}", "type": "{0.datatype}"}],
-     "returns": "ros::ServiceClient"},
+     "returns": "ros::ServiceClient", "fills": {"service": "{resolve(0.service)}"}},
     {"call": "ros::NodeHandle::serviceClient", "args": [1, 2, 3],
      "makes": [{"kind": "clients", "name": "{0}", "type": "{<0>}"}],
-     "returns": "ros::ServiceClient"},
+     "returns": "ros::ServiceClient", "fills": {"service": "{resolve(0)}"}},
 
     # ros/service_client_options.h: made with a checksum, the type is not known.
     {"call": "ros::ServiceClientOptions", "args": [4], "fills": {"service": "{0}"}},

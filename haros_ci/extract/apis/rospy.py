@@ -8,10 +8,7 @@ from __future__ import annotations
 
 # fmt: off
 ROWS: tuple[dict[str, object], ...] = (
-    # Threads: what they run is called later (docs.python.org/3/library/threading.html).
-    {"class": "threading.Thread", "entry": ["run"]},
-    {"call": "threading.Thread", "calls": ["target", "1"]},
-    {"call": "threading.Timer", "calls": ["function", "1"]},
+    # Threads of Python 2 (docs.python.org/3/library/_thread.html).
     {"call": "thread.start_new_thread", "calls": ["0"]},
     {"call": "_thread.start_new_thread", "calls": ["0"]},
 

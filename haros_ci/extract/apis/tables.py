@@ -28,7 +28,7 @@ TABLES: tuple[tuple[str, int, tuple[str, ...]], ...] = (
             "threads",
         ),
     ),
-    ("python", 1, ("rospy",)),
+    ("python", 1, ("rospy", "python_threads")),
     (
         "cpp",
         2,
@@ -50,7 +50,7 @@ TABLES: tuple[tuple[str, int, tuple[str, ...]], ...] = (
             "ros2_control",
         ),
     ),
-    ("python", 2, ("ros2_rclpy", "ros2_rclpy_libraries", "ros2_rclpy_navigator", "ros2_rclpy_qos")),
+    ("python", 2, ("ros2_rclpy", "ros2_rclpy_libraries", "ros2_rclpy_navigator", "ros2_rclpy_qos", "python_threads")),
 )
 
 

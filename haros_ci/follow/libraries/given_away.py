@@ -107,10 +107,14 @@ def started(walk: Walk, name: str, this: Object) -> None:
     if this.definition is None or this.definition[0].separator != ".":
         return
     source, definition = this.definition
-    if name == "start" and not PROCESSES.isdisjoint(methods.library_bases(walk, source, definition)):
+    if (
+        name == "start"
+        and walk.context.process is None
+        and not PROCESSES.isdisjoint(methods.library_bases(walk, source, definition))
+    ):
         run = methods.method_of(walk, this, "run")
         if run is not None and walk.relevance.makes(run.function, run.source):
-            reason = f"{definition.name} is a process of its own, and what that makes is not followed"
+            reason = f"{definition.name} is a process of its own: what that makes is told of the node that starts it"
             walk.gaps.setdefault(reason, Location(run.source.path, run.function.line))
     _called(walk, name, this)
 

@@ -88,7 +88,8 @@ PYTHON = frozenset(
     "set frozenset dict zip map filter enumerate reversed iter range xrange abs round int float bool ord chr hash "
     "format open bytes complex divmod slice unicode basestring long super object Exception ValueError RuntimeError "
     "KeyError TypeError IOError OSError exit quit copy.copy copy.deepcopy json.dumps json.dump yaml.dump "
-    "yaml.safe_dump pprint.pprint functools.partial threading.Thread threading.Timer collections.OrderedDict "
+    "yaml.safe_dump pprint.pprint functools.partial threading.Thread threading.Timer multiprocessing.Process "
+    "collections.OrderedDict "
     "collections.deque collections.Counter collections.defaultdict numpy.array numpy.asarray np.array np.asarray "
     "numpy.zeros np.zeros sys.exit".split()
 )

@@ -13,6 +13,7 @@ from haros_ci.follow.libraries import (
 )
 from haros_ci.follow.libraries import (
     formats,
+    partly_texts,
     python_kinds,
     python_lists,
     python_numbers,
@@ -33,6 +34,7 @@ from haros_ci.values.abstract import (
     Object,
     Opaque,
     Sequence,
+    Text,
     Value,
     concatenate,
     data_of,
@@ -116,6 +118,8 @@ def function(walk: Walk, frame: Frame, name: str, args: tuple[PassedArgument, ..
     plain = python_texts.computed(walk, frame, name, args) or python_numbers.called(walk, frame, name, args)
     if plain is not None:
         return plain
+    if name == "re.sub":
+        return partly_texts.substituted(args)
     if name in ("os.path.join", "posixpath.join") and args:
         return formats.path(walk, frame, args)
     if name in formats.PATHS and isinstance(first, Known) and issubclass(first.kind, str) and len(args) == 1:
@@ -205,6 +209,8 @@ def method(walk: Walk, frame: Frame, receiver: Value, name: str, args: tuple[Pas
                     parts += [receiver, item] if parts else [item]
                 return concatenate(tuple(parts), printed)
         return python_texts.method(walk, frame, receiver.of(str), name, args)
+    if isinstance(receiver, Text):
+        return partly_texts.method(receiver, name, args)
     if isinstance(receiver, Sequence):
         cells = receiver.content.value
         if (found := python_lists.method(walk, receiver, name, args)) is not None:

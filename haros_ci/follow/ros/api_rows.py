@@ -109,7 +109,9 @@ def call(
         )
         if found is not None:
             return found.held if isinstance(found, SetByNode) else found
-        return walk.opaque("a parameter that is not set", frame, location.line)
+        of_object = any(not isinstance(part, str) and part[0][0].startswith("this.") for part in returns.parts)
+        reason = f"what {name} returns is not known" if of_object else "a parameter that is not set"
+        return walk.opaque(reason, frame, location.line)
     if (
         any(entry.kind == "getters" and entry.each is None for entry in row.makes)
         and "value" not in row.makes[0].values
@@ -269,8 +271,8 @@ def _apply(applied: selectors.Applied, made: Object | None) -> Value | None:  # 
     for where in row.calls:
         value = selectors.select_value(applied, where)
         if value is not None and not isinstance(value, selectors.TypeValue):
-            value = partials.given(row.call, value, applied.args)
-            callbacks.register(walk, value, applied.args, row.call.rpartition("_parameters")[2] in UPDATES)
+            for called in partials.given(row.call, value, applied.args):
+                callbacks.register(walk, called, applied.args, row.call.rpartition("_parameters")[2] in UPDATES)
             if row.call.startswith(beside.BEGINNING):
                 beside.note(walk, value)
             if isinstance(value, Opaque) and applied.frame.source.separator == ".":

@@ -11,9 +11,10 @@ from importlib import import_module
 import pytest
 from every import every
 
+from haros_ci.extract.apis.python_threads import EXECUTORS, POOLS, PROCESSES
 from haros_ci.model.api import Row, Template, load_row
 
-MODULES = ("ros2_rclpy", "ros2_rclpy_qos", "ros2_rclpy_libraries", "ros2_rclpy_navigator")
+MODULES = ("ros2_rclpy", "ros2_rclpy_qos", "ros2_rclpy_libraries", "ros2_rclpy_navigator", "python_threads")
 FORMS = [row for module in MODULES for row in import_module(f"haros_ci.extract.apis.{module}").ROWS]
 ROWS = [load_row(form) for form in FORMS]
 #: What variables of the calls below are.
@@ -95,8 +96,8 @@ SERVICE = "qos=rclpy.qos.qos_profile_services_default"
 PARAMETER = "returns rclpy.parameter.Parameter\nfills name=a"
 PUBLISHER = "returns rclpy.publisher.Publisher\nfills topic=a\nfills topic_name=resolve(a)"
 SUBSCRIPTION = "returns rclpy.subscription.Subscription\nfills topic=a\nfills topic_name=resolve(a)"
-SERVER = "returns rclpy.service.Service\nfills srv_name=a"
-CLIENT = "returns rclpy.client.Client\nfills srv_name=a"
+SERVER = "returns rclpy.service.Service\nfills srv_name=a\nfills service_name=resolve(a)"
+CLIENT = "returns rclpy.client.Client\nfills srv_name=a\nfills service_name=resolve(a)"
 FUTURE = "returns rclpy.task.Future"
 LOGGER = "returns rclpy.impl.rcutils_logger.RcutilsLogger"
 TF = "type=tf2_msgs/msg/TFMessage"
@@ -313,6 +314,18 @@ CALLS = (
     ("ament_index_python.packages.get_package_prefix", "'p'", "returns $(find-pkg-prefix p)"),
     ("threading.Thread", "target=f", "calls f"),
     ("threading.Timer", "1.0, f", "calls f"),
+    # Processes, pools and executors.
+    *((name, "target=f", "calls f") for name in PROCESSES),
+    ("multiprocessing.context.BaseContext.Process", "None, f", "calls f"),
+    *(
+        (f"multiprocessing.pool.Pool.{name}", "f, a", "calls f")
+        for name in ("apply", "apply_async", "map", "map_async", "imap", "imap_unordered")
+    ),
+    ("concurrent.futures.Executor.submit", "f, 'a'", "calls f"),
+    ("concurrent.futures.Executor.map", "f, a", "calls f"),
+    ("multiprocessing.get_context", "'spawn'", "returns multiprocessing.context.BaseContext"),
+    *((name, "2", "returns multiprocessing.pool.Pool") for name in POOLS),
+    *((name, "", "returns concurrent.futures.Executor") for name in EXECUTORS),
     # Quality of service.
     ("rclpy.qos.QoSProfile", "depth=1", "fills depth=1"),
     ("rclpy.qos.QoSProfile", "h, 5", "fills history=h\nfills depth=5"),
