@@ -271,7 +271,7 @@ def _is_sent(name: str | None, text: str) -> bool:
     return any(
         re.search(pattern, text) is not None
         for pattern in (
-            rf"\bTransformStamped(?:Ptr)?\s*[&*]?\s+[&*]?{word}\b",
+            rf"\bTransformStamped(?:Ptr)?(?:\s*[&*]\s+|\s+)[&*]?{word}\b",
             rf"\b{word}\s*(?::[^=\n]*)?=\s*(?:\w+\s*(?:\.|::)\s*)*TransformStamped\b",
             rf"\bsendTransform\s*\([^;\n]*\b{word}\b",
         )

@@ -41,11 +41,11 @@ _VIEW = (
 )
 #: Functions of Eigen and OpenCV that return a part of a matrix and copy nothing.
 _PART = (
-    r"\bauto\s*&?&?\s*{name}\s*=[^;]{{0,300}}\.\s*(?:template\s+)?(?:row|col|block|segment|head|tail|diagonal|array|matrix|noalias"
+    r"\bauto\s*(?:&&?\s*)?{name}\s*=[^;]{{0,300}}\.\s*(?:template\s+)?(?:row|col|block|segment|head|tail|diagonal|array|matrix|noalias"
     r"|topRows|bottomRows|leftCols|rightCols|middleRows|middleCols|topLeftCorner|topRightCorner|bottomLeftCorner"
     r"|bottomRightCorner|linear|translation|rotation|coeffRef|transpose|reshaped|rowRange|colRange)\s*[<(]"
 )
-_BINDING = r"\bauto\s*&?&?\s*\[[^\]]{{0,200}}\b{name}\b[^\]]{{0,200}}\]"
+_BINDING = r"\bauto\s*(?:&&?\s*)?\[[^\]]{{0,200}}\b{name}\b[^\]]{{0,200}}\]"
 _COMMENT = re.compile(r"//[^\n]*|/\*.*?(?:\*/|\Z)", re.DOTALL)
 #: What stands in a statement and seldom in a sentence.
 _STATEMENT = re.compile(r";[ \t]*(?:$|\*/)|<<|\w\(|\)[ \t]*\{", re.MULTILINE)

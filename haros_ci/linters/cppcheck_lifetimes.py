@@ -72,12 +72,12 @@ def _is_other_branch(name: str, line: int, lines: list[str]) -> bool:
     """Whether *name* keeps its value in an ``else``, or in the second half of ``?:``: the other branch sets it."""
     word = re.escape(name)
     here = lines[line - 1][:1000]
-    if re.search(rf"\?[^;?]{{0,400}}:\s*\(?\s*{word}\s*=\s*{word}\b", here) or re.search(
+    if re.search(rf"\?[^;?]{{0,400}}:\s*(?:\(\s*)?{word}\s*=\s*{word}\b", here) or re.search(
         rf"\belse\b\s*(?:if\s*\([^;{{}}]{{0,400}}\)\s*)?\{{?\s*{word}\s*=", here
     ):
         return True
     before = [other.strip() for other in lines[max(line - 4, 0) : line - 1] if other.strip() not in ("", "{")]
     return (
         bool(before)
-        and re.fullmatch(r"\}?\s*else\b(?:\s*if\s*\(.{0,400}\))?\s*\{?\s*(?://.*)?", before[-1]) is not None
+        and re.fullmatch(r"\}?\s*else\b(?:\s*if\s*\(.{0,400}\))?\s*(?:\{\s*)?(?://.*)?", before[-1]) is not None
     )

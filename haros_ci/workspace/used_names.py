@@ -27,7 +27,7 @@ _COMMENT = re.compile(r"/\*[^*]*(?:\*(?!/)[^*]*)*\*/")
 #: What makes CMake compile, or include, a file whatever its name is.
 _AS_CODE = re.compile(
     r"(?<![\w])LANGUAGE(?:\s|#[^\n]{0,200}(?:\n|\]\]))+[\"\[=]{0,9}(?:C|CXX|CUDA|OBJC|OBJCXX)\b"
-    r"|(?<![\w-])(?:-x\s*;?\s*\"?c\b|-xc|--?include\b|--?imacros\b|--language|/FI|@[\w./${}-]{1,200})"
+    r"|(?<![\w-])(?:-x\s*(?:;\s*)?\"?c\b|-xc|--?include\b|--?imacros\b|--language|/FI|@[\w./${}-]{1,200})"
 )
 _FILLED = re.compile(
     r"\b(?:configure_file|em_expand|em_expand_template|expand_template)\s*\(([^()]{1,2000})\)|GENERATE\s+OUTPUT\s+([^()]{1,2000})",
