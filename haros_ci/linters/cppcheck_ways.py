@@ -14,7 +14,9 @@ _THROW = re.compile(r"\bthrow\b")
 _RESOURCE = re.compile(r": (\w+)\.?$")
 _VALUE = re.compile(r"against value (-?\d+)")
 #: The constant of a comparison by a name, as macros and enumerators are written.
-_NAMED = re.compile(r"[<>=!]=?\s*(?:\(\s*)?(?:[a-z]\w*::)*[A-Z][A-Z0-9_]{2,}\b|\b[A-Z][A-Z0-9_]{2,}\s*(?:\)\s*)?[<>=!]=?")
+_NAMED = re.compile(
+    r"[<>=!]=?\s*(?:\(\s*)?(?:[a-z]\w*::)*[A-Z][A-Z0-9_]{2,}\b|\b[A-Z][A-Z0-9_]{2,}\s*(?:\)\s*)?[<>=!]=?"
+)
 _NOTHING = r"(?:NULL|nullptr|0|-\s*1|INVALID_\w+)"
 #: That a handle is not open: ``!file``, ``file == NULL``, ``(file = fopen(…)) == NULL``, ``NULL == file``.
 _FAILED = (

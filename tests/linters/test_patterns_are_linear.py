@@ -6,8 +6,9 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
-import haros_ci
 import haros_ci_checks
+
+import haros_ci
 
 DIVIDED = re.compile(r"\\s[*+](?:(?:\\[^s]|\[[^\]]*\]|[^\\()\[\]|*+?{}])\?\??)+\\s[*+]")
 
