@@ -36,6 +36,12 @@ _HARMLESS = frozenset(
     configure_package_config_file include_external_msproject aux_source_directory
     """.split()
 )
+#: Of these, those that give variables values: one of CMake's own, or a flag that names a file, may be among their arguments.
+_SETTING = frozenset(
+    "cmake_parse_arguments cmake_path separate_arguments get_filename_component foreach option site_name get_property get_target_property get_directory_property"
+    " get_source_file_property get_cmake_property find_program find_file find_path find_library".split()
+)
+_OWN = re.compile(r"CMAKE(?:_\w*)?|ENV\{.*", re.DOTALL)
 #: Commands that name sources; what stands there in another form than a path may be any file.
 _SOURCES = frozenset(
     "add_executable add_library target_sources set_source_files_properties target_precompile_headers".split()
@@ -118,6 +124,7 @@ def _odd(command: ParsedCommand, is_file: Callable[[str], bool]) -> Iterator[str
     """The arguments of *command* that are not known to be harmless; all of them, for a command that is not."""
     name, arguments = command.name, command.arguments
     if name in _HARMLESS:
+        yield from _given(name, [argument.text for argument in arguments])
         return
     if name in _RUNNING:
         yield " ".join(argument.text for argument in arguments)
@@ -126,6 +133,22 @@ def _odd(command: ParsedCommand, is_file: Callable[[str], bool]) -> Iterator[str
         yield from _BY_NAME[name](arguments, is_file)
     if name != "string":
         yield from (argument.text for argument in arguments if not _is_plain(argument, name))
+
+
+def _given(name: str, words: list[str]) -> Iterator[str]:
+    """What a harmless command gives to CMake's own variables, or writes into a file of code."""
+    if name in _SETTING:
+        yield from (
+            word for word in words if _READS.match(word) or (_OWN.fullmatch(word) and not _is_usual_variable(word))
+        )
+    elif name == "generate_export_header":
+        yield from (word for word in words if word == "CUSTOM_CONTENT_FROM_VARIABLE")
+    elif name == "configure_package_config_file":
+        yield from (word for word in words[1:2] if language_of(_name(word)) in ("cpp", "python"))
+
+
+def _is_usual_variable(name: str) -> bool:
+    return _VARIABLES.fullmatch(name) is not None and "FLAGS" not in name
 
 
 def _is_plain(argument: CMakeArgument, name: str) -> bool:

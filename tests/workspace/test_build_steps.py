@@ -54,6 +54,15 @@ FOLLOWED_BY_NOBODY = [
     "set_source_files_properties(src/part.txt PROPERTIES ${L} CXX)",
     "set_property(GLOBAL PROPERTY RULE_LAUNCH_COMPILE part.sh)",
     "set_target_properties(a PROPERTIES COMPILE_FLAGS -imultilib)",
+    'cmake_parse_arguments(CMAKE "" "CXX_FLAGS" "" CXX_FLAGS "@${CMAKE_CURRENT_SOURCE_DIR}/cfg/flags.txt")',
+    'separate_arguments(CMAKE_CXX_FLAGS UNIX_COMMAND "@cfg/flags.txt")',
+    'cmake_path(SET CMAKE_CXX_FLAGS "@cfg/flags.txt")',
+    "foreach(flag @cfg/flags.txt)\nendforeach()",
+    "get_filename_component(CMAKE_PROJECT_INCLUDE cfg/flags.txt ABSOLUTE)",
+    "find_file(CMAKE_PROJECT_INCLUDE flags.txt PATHS cfg)",
+    "find_program(CMAKE_CXX_COMPILER_LAUNCHER wrap PATHS cfg)",
+    "generate_export_header(a CUSTOM_CONTENT_FROM_VARIABLE MORE)",
+    "configure_package_config_file(cfg/part_hpp include/a/part.hpp INSTALL_DESTINATION share)",
     "add_executable(a [[src/part.txt]])",
     "add_executable(a src/part\\.txt)",
     "add_executable(a $<1:src/part.txt>)",
@@ -156,6 +165,16 @@ add_launch_test(test/a.py ARGS "x:=1" --verbose)
 message(STATUS "[[a]] -include $<1:b>")
 # include(part.txt) [[
 #[[ include(part.txt) ]]
+get_filename_component(HERE "${CMAKE_CURRENT_LIST_FILE}" PATH)
+option(CMAKE_EXPORT_COMPILE_COMMANDS "as a database" ON)
+foreach(lib IN LISTS LIBRARIES)
+  get_target_property(TYPE ${lib} TYPE)
+endforeach()
+cmake_parse_arguments(ARG "A" "B" "C" ${ARGN})
+separate_arguments(WORDS UNIX_COMMAND "${WORDS}")
+find_program(CCACHE ccache)
+generate_export_header(a EXPORT_FILE_NAME include/a/export.hpp)
+configure_package_config_file(cfg/aConfig.cmake.in ${CMAKE_CURRENT_BINARY_DIR}/aConfig.cmake INSTALL_DESTINATION share)
 """
 
 
