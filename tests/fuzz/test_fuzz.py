@@ -29,7 +29,7 @@ NOT_FUZZED = {
     "own_sources": "digests the bytes of haros-ci itself",
     "streams": "opens the null device in place of streams that are closed",
     "workspace.base_settings": "opens files that linters.settings_files parses",
-    "workspace.hiding": "compares bytes",
+    "workspace.noted_files": "asks for flags of compilers by a pattern",
     "workspace.object_name": "digests bytes, as git does",
     "workspace.settings_around": "opens files that linters.settings_files parses",
     "commands.baseline": "compares bytes",

@@ -41,7 +41,7 @@ TARGETS = {
     "checks": Entry(
         checks,
         "a workspace of several files, through all checks and formats",
-        ("checking", "analysis.inspection", "report"),
+        ("checking", "analysis.architectures", "report"),
         (b"@@ bot/CMakeLists.txt\n", b"@@ bot/launch/a.launch.py\n", b"@@ bot/src/a.cpp\n", b"@@ bot/package.xml\n"),
     )
 }
