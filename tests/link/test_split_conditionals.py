@@ -58,3 +58,24 @@ def test_the_branch_that_is_parsed(body: str, definition: str, expected: list[st
 def test_what_is_called_is_called_by_the_name_that_is_read() -> None:
     body = 'ros::Publisher p =\n#ifdef A\nnh.advertise<std_msgs::String>(\n#else\nadvertise(\n#endif\n"a", 1);\n'
     assert [name.strip("#") for name in made(body)] == ["/a"]
+
+
+NESTED = """#ifdef A
+if (p()) {
+#ifdef B
+  if (q(1)) {
+#else
+  if (r(1)) {
+#endif
+    ADV("inner", 1);
+  }
+#else
+if (s()) {
+#endif
+  ADV("outer", 1);
+}
+"""
+
+
+def test_one_inside_of_another() -> None:
+    assert made(NESTED) == ["/inner#", "/outer"]

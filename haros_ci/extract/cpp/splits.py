@@ -29,7 +29,7 @@ def statement(
         lower(unit, node, depth, out)
         return
     inside: Statements = []
-    before, unit.found.within = unit.found.within, split
+    before, unit.found.within = unit.found.within, (*unit.found.within, split)
     lower(unit, node, depth, inside)
     unit.found.within = before
     branches = [syntax.Branch(split.line, 1, split.text, tuple(inside))]
@@ -58,7 +58,7 @@ def expression(
     unit: Unit, node: Node, depth: int, split: Split, lower: Callable[[Unit, Node, int], syntax.Expression]
 ) -> syntax.Expression:
     """An expression in such a branch, of a value that is not known where that is not compiled; what is called is called whatever its name."""
-    before, unit.found.within = unit.found.within, split
+    before, unit.found.within = unit.found.within, (*unit.found.within, split)
     found = lower(unit, node, depth)
     unit.found.within = before
     around: Node | None = node

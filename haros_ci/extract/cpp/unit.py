@@ -43,8 +43,8 @@ class Found:
     expansions: int = 0
     reread: list[tuple[int, int]] = field(default_factory=list)
     splits: tuple[Split, ...] = ()
-    #: The one of them that what is read is known to stand in.
-    within: Split | None = None
+    #: Those of them that what is read is known to stand in, the outermost first.
+    within: tuple[Split, ...] = ()
 
 
 @dataclass(slots=True)
@@ -95,7 +95,7 @@ class Unit:
             return None
         first = self.position(node)[0]
         for split in self.found.splits:
-            if split is not self.found.within and split.first <= first <= split.last:
+            if split not in self.found.within and split.first <= first <= split.last:
                 last = self.locate(max(node.end_byte - 1, node.start_byte) + self.shift)[0]
                 if not whole or last <= split.last:
                     return split
