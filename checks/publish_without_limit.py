@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from itertools import takewhile
 
 from haros_ci.api import Check, Decidability, Finding, Level, Location, Project, syntax
 from haros_ci.api.code import Codebase, Routine, called, dotted, is_dead, type_name
@@ -37,6 +38,9 @@ AT_ONCE = frozenset(
 _LOGS = re.compile(r"(?:ROS|RCLCPP)_(?:DEBUG|INFO|WARN|ERROR)\w{0,40}")
 #: What makes a message: ``std_msgs::msg::String()``, ``Twist()``.
 _MESSAGES = re.compile(r"\w{1,80}(?:::msg)?(?:::|\.)(?:msg\.)?[A-Z]\w{0,80}")
+_YIELD = re.compile(r"^[^#'\"]*\byield\b")
+#: Lines of a loop that are looked at.
+_LONGEST = 200
 #: Classes of publishers, and the calls that make them in Python.
 PUBLISHERS = frozenset(("ros::Publisher", "rclcpp::Publisher"))
 
@@ -48,9 +52,19 @@ def check(project: Project) -> Iterator[Finding]:
             if routine.is_test or code.body(routine).is_partial:
                 continue
             for loop, _ in code.body(routine).loops:
-                if loop.keyword == "while" and _is_unlimited(code, routine, loop):
-                    if routine.is_python or not is_dead(code, routine):
-                        yield _finding(routine, loop)
+                if loop.keyword != "while" or not _is_unlimited(code, routine, loop):
+                    continue
+                if not (_stops(project.text(path), loop) if routine.is_python else is_dead(code, routine)):
+                    yield _finding(routine, loop)
+
+
+def _stops(text: str, loop: syntax.Loop) -> bool:
+    """Whether a turn stops at a ``yield``: who goes through the generator, or sends to it, says when it goes on (docs.python.org/3/reference/expressions.html)."""
+    lines = text.split("\n")[loop.line - 1 :]
+    inside = [line for line in lines[1:_LONGEST] if line.strip()]
+    begin = len(lines[0]) - len(lines[0].lstrip())
+    body = takewhile(lambda line: len(line) - len(line.lstrip()) > begin, inside)
+    return any(_YIELD.search(line) for line in body)
 
 
 def _is_unlimited(code: Codebase, routine: Routine, loop: syntax.Loop) -> bool:
