@@ -208,7 +208,7 @@ def _mode(script: Installed, package: ProjectPackage, level: Level, programs: Pr
     has_bit = bits is None or script.path in bits or _is_relayed(script, package)
     if has_bit or not is_to_be_run(script.path, package.project):
         return
-    if is_given_to_another(script.path, package) or _is_imported_alone(script, package, programs):
+    if is_given_to_another(script.path, package) or _is_module(script, package, programs, begun=True):
         return
     if script.keeps_mode:
         why: tuple[str, ...] = _KEPT
@@ -281,16 +281,11 @@ def _launched(project: Project) -> dict[str, dict[str, Location]]:
     return found
 
 
-def _is_module(script: Installed, package: ProjectPackage, programs: Programs) -> bool:
-    """Whether a file without a shebang is there to be imported: scripts beside it do, and nothing starts it by its name."""
-    if package.project.text(script.path).startswith("#!") or not script.path.endswith(".py"):
-        return False
-    return not _is_started(script, package, programs) and is_imported_beside(script.path, package)
-
-
-def _is_imported_alone(script: Installed, package: ProjectPackage, programs: Programs) -> bool:
-    """Whether a file is a module for the scripts beside it, whatever its first line is: it has no main block, and nothing starts it by its name."""
-    if not script.path.endswith(".py") or "__main__" in package.project.text(script.path):
+def _is_module(script: Installed, package: ProjectPackage, programs: Programs, *, with_shebang: bool = False) -> bool:
+    """Whether a file is there to be imported: scripts beside it do, and nothing starts it by its name. It has no shebang, or, if it may have *begun* with one, no main block."""
+    text = package.project.text(script.path)
+    is_program = "__main__" in text if begun else text.startswith("#!")
+    if is_program or not script.path.endswith(".py"):
         return False
     return not _is_started(script, package, programs) and is_imported_beside(script.path, package)
 

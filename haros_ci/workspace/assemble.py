@@ -253,16 +253,8 @@ def _of_no_package(files: Iterable[SourceFile], reader: TextReader) -> Iterable[
                 text = reader.text(file.path)
                 if _CLIENT.search(text) and _STARTED.search(text):
                     found.append(file.path)
-    if found:
-        others = len(found) - 1
-        what = (
-            f"this and {others} more Python program{'s' if others > 1 else ''} of ROS lie"
-            if others
-            else "a Python program of ROS that lies"
-        )
-        yield Problem(
-            min(found), f"{what} in no package: what nodes publish and subscribe to there is not in the model"
-        )
+    lost = "what nodes publish and subscribe to there is not in the model"
+    yield from _in_no_package(found, ("Python program of ROS", "Python programs of ROS"), lost)
 
 
 def _launch_files_of_no_package(files: Iterable[SourceFile], reader: TextReader) -> Iterable[Problem]:
@@ -276,14 +268,17 @@ def _launch_files_of_no_package(files: Iterable[SourceFile], reader: TextReader)
                 continue
             if _TESTS.isdisjoint(directories) and launches.search(reader.text(file.path)):
                 found.append(file.path)
-    if found:
-        others = len(found) - 1
-        what = (
-            f"this and {others} more launch file{'s' if others > 1 else ''} lie"
-            if others
-            else "a launch file that lies"
-        )
-        yield Problem(min(found), f"{what} in no package: what is started there is no configuration of the model")
+    yield from _in_no_package(
+        found, ("launch file", "launch files"), "what is started there is no configuration of the model"
+    )
+
+
+def _in_no_package(paths: list[str], nouns: tuple[str, str], lost: str) -> Iterable[Problem]:
+    """One problem at the first of *paths*, which lie in no package, if there are any; *lost* says what that means."""
+    if paths:
+        others = len(paths) - 1
+        what = f"this and {others} more {nouns[others > 1]} lie" if others else f"a {nouns[0]} that lies"
+        yield Problem(min(paths), f"{what} in no package: {lost}")
 
 
 def in_order(problems: Iterable[Problem]) -> tuple[Problem, ...]:

@@ -63,13 +63,24 @@ def _member(unit: Unit, node: Node, depth: int) -> tuple[syntax.Expression, tupl
     inner = expressions.expression(unit, receiver, depth)
     if operator.end_byte - operator.start_byte > 1 and unit.text[operator.end_byte - 1] == "*":
         return syntax.Operation(unit.cut(operator), (inner, expressions.expression(unit, member, depth))), ()
-    if unit.cut(member) in OF_POINTERS and unit.cut(operator) == "->" and type(inner) is not syntax.This:
+    if unit.cut(member) in OF_POINTERS and unit.cut(operator) == "->" and _is_variable(inner):
         inner = syntax.Dereference(inner)
     kind = member.kind_id
     if kind in _DEPENDENT or kind in _TEMPLATE_METHOD or kind in _QUALIFIED:
         name, chosen = types.path(unit, member, depth)
         return syntax.Member(inner, name), chosen
     return syntax.Member(inner, unit.cut(member)), ()
+
+
+def _is_variable(expression: syntax.Expression) -> bool:
+    """Whether *expression* is a variable, a member or an element of one, without a call: what may hold a smart pointer."""
+    while type(expression) is syntax.Member or type(expression) is syntax.Subscript:
+        if type(expression) is syntax.Subscript and type(expression.index) not in (syntax.Name, syntax.Number):
+            return False
+        expression = expression.object
+        if type(expression) is syntax.This:
+            return True
+    return type(expression) is syntax.Name
 
 
 def field_access(unit: Unit, node: Node, depth: int) -> syntax.Expression:
