@@ -208,7 +208,7 @@ def _mode(script: Installed, package: ProjectPackage, level: Level, programs: Pr
     has_bit = bits is None or script.path in bits or _is_relayed(script, package)
     if has_bit or not is_to_be_run(script.path, package.project):
         return
-    if is_given_to_another(script.path, package) or _is_module(script, package, programs, begun=True):
+    if is_given_to_another(script.path, package) or _is_module(script, package, programs, with_shebang=True):
         return
     if script.keeps_mode:
         why: tuple[str, ...] = _KEPT
@@ -282,10 +282,9 @@ def _launched(project: Project) -> dict[str, dict[str, Location]]:
 
 
 def _is_module(script: Installed, package: ProjectPackage, programs: Programs, *, with_shebang: bool = False) -> bool:
-    """Whether a file is there to be imported: scripts beside it do, and nothing starts it by its name. It has no shebang, or, if it may have *begun* with one, no main block."""
+    """Whether a file is there to be imported: scripts beside it do, and nothing starts it by its name. It has no shebang, or no main block if it may be *with_shebang*."""
     text = package.project.text(script.path)
-    is_program = "__main__" in text if begun else text.startswith("#!")
-    if is_program or not script.path.endswith(".py"):
+    if ("__main__" in text if with_shebang else text.startswith("#!")) or not script.path.endswith(".py"):
         return False
     return not _is_started(script, package, programs) and is_imported_beside(script.path, package)
 
