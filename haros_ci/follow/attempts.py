@@ -8,6 +8,7 @@ from haros_ci.follow import early, statements, thrown
 from haros_ci.follow.frames import RAISED, RETURN, THROW, Frame
 from haros_ci.follow.libraries import harmless
 from haros_ci.follow.walk import Walk
+from haros_ci.model.location import Location
 from haros_ci.values.abstract import Cell, Known, Library, Value
 from haros_ci.values.state import Writes, joined
 
@@ -47,7 +48,7 @@ def attempt(walk: Walk, frame: Frame, statement: syntax.Try) -> str:
             kind = walk.type_in(handler.type, frame)
             frame.declare(handler.name, Cell(walk.opaque("an exception", frame, handler.line, kind)))
         returned = len(frame.returned)
-        with walk.under("catch", handler.text, frame, handler.line, handler.column):
+        with walk.under("catch", handler.text, Location(frame.source.path, handler.line, handler.column)):
             how = statements.execute(walk, frame, handler.body)
         frame.scopes.pop()
         if (

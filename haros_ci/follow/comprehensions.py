@@ -76,7 +76,7 @@ def _guarded(
     text = args[3].value
     shown = text.of(str) if isinstance(text, Known) and issubclass(text.kind, str) else "if"
     mark = walk.state.mark()
-    with walk.under("if", shown, frame, guard.function.line, guard.function.column):
+    with walk.under("if", shown, Location(frame.source.path, guard.function.line, guard.function.column)):
         _call(walk, frame, element, item)
     walk.state.merge([{}, walk.state.undo(mark)])
     return MAYBE

@@ -9,6 +9,7 @@ from haros_ci import syntax
 from haros_ci.follow import early, statements
 from haros_ci.follow.frames import NEXT, Frame
 from haros_ci.follow.walk import Walk
+from haros_ci.model.location import Location
 from haros_ci.values.abstract import Cell
 from haros_ci.values.state import Writes, joined
 
@@ -25,7 +26,7 @@ def preprocessor(walk: Walk, frame: Frame, statement: syntax.Preprocessor) -> st
     for branch, verdict in zip(statement.branches, verdicts, strict=True):
         mark, known, depth = walk.state.mark(), len(frame.early), len(walk.conditions)
         declared: dict[str, Cell] = {}
-        with walk.under("#if", branch.text, frame, branch.line, branch.column):
+        with walk.under("#if", branch.text, Location(frame.source.path, branch.line, branch.column)):
             frame.scopes.append(declared)
             ended = statements.follow_branch(walk, frame, branch.body, verdict is not False, statements.in_place)
             frame.scopes.pop()

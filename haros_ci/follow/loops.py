@@ -52,7 +52,7 @@ def loop(walk: Walk, frame: Frame, statement: syntax.Loop) -> str:
     try:
         for item in first:
             statements.STATEMENTS[type(item)](walk, frame, item)
-        with walk.under(keyword, text, frame, line, column):
+        with walk.under(keyword, text, Location(frame.source.path, line, column)):
             ended = _turned(walk, frame, statement, current, one, after)
             if ended is not None:
                 return ended
@@ -197,7 +197,7 @@ def for_each(walk: Walk, frame: Frame, statement: syntax.Each) -> str:
             frame.scopes.pop()
 
     current = Loop(walk.state.mark())
-    with walk.under("for", text, frame, line, column):
+    with walk.under("for", text, Location(frame.source.path, line, column)):
         unknown: Value | None = None
         if others is not None:
             kind_ = _element_type(walk, frame, iterable, resolved)

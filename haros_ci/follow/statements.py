@@ -165,12 +165,11 @@ def _side(
 ) -> tuple[str, Writes]:
     """Follow one branch of an ``if``: how it ends, and what it writes. *holds* is whether its test does, as far as that is known."""
     mark, known = walk.state.mark(), len(frame.early)
-    place = (statement.line, statement.column) if is_then else (statement.else_line, statement.else_column)
-    with walk.under("if" if is_then else "else", statement.text, frame, *place):
+    at = (statement.line, statement.column) if is_then else (statement.else_line, statement.else_column)
+    place = Location(frame.source.path, *at)
+    with walk.under("if" if is_then else "else", statement.text, place, holds=holds is is_then):
         block = statement.then if is_then else statement.other
-        walk.holding += holds is is_then
         ended = follow_branch(walk, frame, block, holds is None or holds is is_then, lacking=lacking)
-        walk.holding -= holds is is_then
     writes = walk.state.undo(mark)
     is_new = len(frame.early) > known and holds is not is_then
     if is_new and early.is_aside(walk, frame, statement.test, is_then):

@@ -7,6 +7,7 @@ from haros_ci import syntax
 from haros_ci.follow import early, expressions, statements
 from haros_ci.follow.frames import BREAK, NEXT, Frame, Loop
 from haros_ci.follow.walk import Walk
+from haros_ci.model.location import Location
 from haros_ci.syntax import Expression
 from haros_ci.values.abstract import Known, Value
 from haros_ci.values.state import Writes
@@ -46,7 +47,7 @@ def _case(walk: Walk, frame: Frame, statement: syntax.Switch, index: int, is_dea
     loop, known = Loop(walk.state.mark(), is_switch=True), len(frame.early)
     walk.loops.append(loop)
     ended = NEXT
-    with walk.under("switch", statement.text, frame, statement.line, statement.column):
+    with walk.under("switch", statement.text, Location(frame.source.path, statement.line, statement.column)):
         for following in statement.cases[index:]:
             ended = statements.execute(walk, frame, following.body)
             if ended != NEXT:

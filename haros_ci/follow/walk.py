@@ -77,8 +77,7 @@ class Walk:
     target: str = ""
     state: State = field(default_factory=State)
     conditions: list[Condition] = field(default_factory=list)
-    #: Of these, those that are known to hold.
-    holding: int = 0
+    holding: int = 0  #: how many of these are known to hold
     made: dict[Key, MadeEntity] = field(default_factory=dict)
     #: Timers and rates by place, period and node, each with the object whose method makes it (``ros.paces``).
     paces: dict[Key, tuple[MadeEntity, Object | None]] = field(default_factory=dict)
@@ -270,13 +269,15 @@ class Walk:
         return result if result is not None else NONE
 
     @contextmanager
-    def under(self, statement: str, text: str, frame: Frame, line: int, column: int) -> Iterator[None]:
-        """What is made inside stands under this condition."""
+    def under(self, statement: str, text: str, place: Location, *, holds: bool = False) -> Iterator[None]:
+        """What is made inside stands under this condition, which is known to hold if it *holds*."""
         depth = len(self.conditions)
-        self.conditions.append(Condition(statement, text, Location(frame.source.path, line, column)))
+        self.conditions.append(Condition(statement, text, place))
+        self.holding += holds
         try:
             yield
         finally:
+            self.holding -= holds
             del self.conditions[depth:]
 
     def parameter(self, name: str) -> Value | None:
