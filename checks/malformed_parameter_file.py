@@ -3,14 +3,11 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 
 from haros_ci.api import Check, Finding, Level, Location, System
 from haros_ci.api.launch import FileUse, yaml_fault
-
-#: The markers that a merge leaves.
-_CONFLICT = re.compile(r"^<{7} .*^={7}[ \t]*\r?$.*^>{7} ", re.MULTILINE | re.DOTALL)
+from haros_ci.api.packages import conflicts
 
 
 def check(system: System) -> Iterator[Finding]:
@@ -22,7 +19,7 @@ def check(system: System) -> Iterator[Finding]:
         if use.kind != "parameters" or use.is_found is not True or path is None or path in seen:
             continue
         seen.add(path)
-        if _CONFLICT.search(system.workspace.text(path)):
+        if conflicts(system.workspace.text(path)):
             continue  # merge-conflict says it
         fault = yaml_fault(system.workspace.text(path)) if path.endswith((".yaml", ".yml")) else None
         if fault is None:

@@ -7,9 +7,8 @@ import re
 from collections.abc import Iterator
 
 from haros_ci.api import Check, Finding, Level, Location, Project, listed
+from haros_ci.api.packages import CONFLICT_BEGINS, CONFLICT_ENDS, conflicts
 
-#: The markers in their order; git writes seven signs, and a name after the first and the last.
-_OURS, _THEIRS, _END = "<<<<<<< ", "=======", ">>>>>>> "
 _LANGUAGES = frozenset(("cpp", "python", "launch", "package", "cmake", "yaml", "interface", "xml", "setup", "shell"))
 #: How comments of more than one line begin and end.
 _COMMENTS = {"cpp": ("/*", "*/"), "xml": ("<!--", "-->"), "launch": ("<!--", "-->"), "package": ("<!--", "-->")}
@@ -30,9 +29,9 @@ def check(project: Project) -> Iterator[Finding]:
         if file.language not in _LANGUAGES or file.third_party:
             continue
         text = project.text(file.path)
-        if _OURS not in text or _END not in text or not _is_code(project, file.path):
+        if CONFLICT_BEGINS not in text or CONFLICT_ENDS not in text or not _is_code(project, file.path):
             continue
-        lines = _conflicts(text, *_COMMENTS.get(file.language, ("", "")))
+        lines = conflicts(text, *_COMMENTS.get(file.language, ("", "")))
         if not lines:
             continue
         effect = _EFFECTS.get(file.language, "what reads it stops there")
@@ -43,7 +42,7 @@ def check(project: Project) -> Iterator[Finding]:
 
 def _merged(text: str) -> str:
     """The name behind the first closing marker: the branch or commit that was merged."""
-    closing = re.search(rf"^{_END}(.{{1,200}})$", text, re.MULTILINE)
+    closing = re.search(rf"^{CONFLICT_ENDS}(.{{1,200}})$", text, re.MULTILINE)
     return closing[1].strip() if closing is not None else ""
 
 
@@ -68,29 +67,6 @@ def _is_code(project: Project, path: str) -> bool:
     """Whether the markers are not in a text of a Python file: with one in its code no Python can be read."""
     program = project.programs.get(path)
     return program is None or program.language != "python" or bool(program.problems)
-
-
-def _conflicts(text: str, opening: str, closing: str) -> list[int]:
-    """The lines in which conflicts begin, those in comments left out."""
-    found: list[int] = []
-    begun, is_half, is_comment = 0, False, False
-    for number, line in enumerate(text.split("\n"), 1):
-        if line.startswith(_OURS) and not is_comment:
-            begun, is_half = number, False
-        elif begun and line.rstrip() == _THEIRS:
-            is_half = True
-        elif begun and is_half and line.startswith(_END):
-            found.append(begun)
-            begun, is_half = 0, False
-        if opening and not begun:
-            is_comment = _is_open(line, opening, closing, is_comment)
-    return found
-
-
-def _is_open(line: str, opening: str, closing: str, is_open: bool) -> bool:
-    """Whether a comment is open after *line*."""
-    start, end = line.rfind(opening), line.rfind(closing)
-    return is_open if start == end else start > end
 
 
 CHECK = Check(
