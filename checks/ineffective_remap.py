@@ -25,7 +25,7 @@ from haros_ci.api import (
 PARAMETERS = ("getters", "setters")
 
 
-_NODE = re.compile(r"<(/?)node\b(?:[^<>\"']|\"[^\"]*\"|'[^']*')*?(/?)>")
+_NODE = re.compile(r"<(/?)node\b[^<>]*>")
 _INCLUDE = re.compile(r"<include\b[^<>]*?\bfile\s*=\s*[\"']([^\"'<>]*)")
 _FOUND = re.compile(r"\$\((?:find|find-pkg-share|dirname)\b\s*([\w-]*)\)")
 
@@ -102,7 +102,7 @@ def _reaches_others(rule: RemapRule, system: System) -> bool:
     opened = False
     before = (*lines[: line - 1], lines[line - 1][: (rule.location.column or 1) - 1])
     for tag in _NODE.finditer("\n".join(before)):
-        opened = not tag[1] and not tag[2]
+        opened = not tag[1] and not tag[0].endswith("/>")
     if opened:
         return False
     here = {*system.packages}
