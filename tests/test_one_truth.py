@@ -8,8 +8,8 @@ from pathlib import Path
 import pytest
 from bench.one_truth import differences, ways
 
-from haros_ci.analysis import architecture
-from haros_ci.analysis.architecture import programs
+from haros_ci.analysis import programs as reading
+from haros_ci.analysis.programs import programs
 from haros_ci.model.workspace import Problem, Workspace
 from haros_ci.workspace.build import builds
 from haros_ci.workspace.cache import DiskCache
@@ -50,13 +50,13 @@ def test_copies_of_a_file_are_read_once_and_are_each_there(tmp_path: Path, monke
         file.parent.mkdir(parents=True, exist_ok=True)
         file.write_text(text)
     read: list[str] = []
-    real = architecture.read_facts
+    real = reading.read_facts
 
     def counted(workspace: Workspace, path: str, language: str) -> str:
         read.append(path)
         return real(workspace, path, language)
 
-    monkeypatch.setattr(architecture, "read_facts", counted)
+    monkeypatch.setattr(reading, "read_facts", counted)
     workspace = discover(tmp_path / "ws", ())
     cache = DiskCache(tmp_path / "cache")
     problems: list[Problem] = []

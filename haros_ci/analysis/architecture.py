@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from functools import partial
 from typing import Any
@@ -13,14 +13,13 @@ from haros_ci.analysis.coverage import Calls
 from haros_ci.analysis.coverage_marks import marked
 from haros_ci.analysis.kept_nodes import keeper
 from haros_ci.analysis.kept_runs import launch_state
+from haros_ci.analysis.programs import module_name, programs
 from haros_ci.analysis.requested import configurations, named_environment
 from haros_ci.analysis.views import joined, started_in
 from haros_ci.config.settings import Settings
 from haros_ci.declared import hints
 from haros_ci.extract.cpp.exact import ExactCall, Place, pick
-from haros_ci.extract.parameter_library import read_parameter_library
 from haros_ci.forks import shared
-from haros_ci.index.index import Source
 from haros_ci.keeping.kept import Earlier
 from haros_ci.launch.facts.memory import LaunchMemory, Memo
 from haros_ci.launch.ros2.dialect import description_reader
@@ -30,11 +29,7 @@ from haros_ci.model.build import Build
 from haros_ci.model.faults import FAULTS, fault
 from haros_ci.model.launch import LaunchFile
 from haros_ci.model.launch_actions import Description
-from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Problem, Store, Workspace
-from haros_ci.own_sources import OF_FACTS, digest
-from haros_ci.syntax import Program
-from haros_ci.syntax.codec import decoded, encoded
 from haros_ci.systems.following import KnownNodes
 from haros_ci.systems.known.entry import KnownNode
 from haros_ci.systems.link import Linked, Requested, Ros2Launch, linked
@@ -42,8 +37,6 @@ from haros_ci.timing import stage, timed
 from haros_ci.workspace.build import builds
 from haros_ci.workspace.environment import environment_of
 from haros_ci.workspace.views import views
-
-TOO_DEEP = "nested too deeply to be read; split the statements"
 
 
 @dataclass(frozen=True, slots=True)
@@ -191,82 +184,6 @@ def filled(
     if call is None:
         return None
     return tuple((argument.written or argument.type, argument.value) for argument in call.arguments), call.templates
-
-
-@timed("parse")
-def programs(
-    workspace: Workspace, built: Mapping[str, Build], store: Store, problems: list[Problem], processes: int = 1
-) -> tuple[Source, ...]:
-    """Every C++ and Python file as a program, from *store* where its bytes are known there."""
-    roots = [(directory, name) for build in built.values() for name, directory in build.python_roots]
-    sources = []
-    files = [file for file in workspace.files if file.language in ("cpp", "python")]
-    kept = {file.path: decoded(store.get_text(*facts_at(file))) for file in files}
-    new = [file for file in files if kept[file.path] is None]
-    ones: dict[tuple[str | None, str], SourceFile] = {}
-    for file in new:
-        ones.setdefault((file.language, file.digest or file.path), file)  # copies are read once
-    jobs = [partial(read_facts, workspace, file.path, file.language) for file in ones.values()]
-    texts = dict(zip(ones, shared(jobs, [file.path for file in ones.values()], processes), strict=True))
-    for file in new:
-        text = texts[file.language, file.digest or file.path]
-        if text:
-            store.put_text(*facts_at(file), text)
-        kept[file.path] = decoded(text)
-    for file in files:
-        program = kept[file.path] or Program(file.language or "", problems=((1, TOO_DEEP),))
-        problems += [Problem(file.path, message, line) for line, message in program.problems]
-        module = module_name(file.path, roots) if file.language == "python" else ""
-        sources.append(Source(file.path, file.package, program, module))
-    return (*sources, *parameter_libraries(workspace, built, problems))
-
-
-def parameter_libraries(workspace: Workspace, built: Mapping[str, Build], problems: list[Problem]) -> Iterator[Source]:
-    """The code that generate_parameter_library makes of YAML, as programs."""
-    seen = set()
-    for build in built.values():
-        for library in build.parameter_libraries:
-            if library.path in seen:
-                continue
-            seen.add(library.path)
-            program = read_parameter_library(library.path, workspace.text(library.path), library.language)
-            problems += [Problem(library.path, message, line) for line, message in program.problems]
-            module = f"{library.package}.{library.name}" if library.language == "python" else ""
-            yield Source(library.path, library.package, program, module)
-
-
-def facts_at(file: SourceFile) -> tuple[str, str, str]:
-    """Where the facts of a file are kept: their kind, the path, and all that they depend on."""
-    return f"facts-{file.language}", file.path, f"{digest(OF_FACTS)} {file.digest}"
-
-
-def read_facts(workspace: Workspace, path: str, language: str) -> str:
-    """A file's facts as JSON has them; whoever asks for them decodes it, whether they are just read or come from the cache."""
-    read: Callable[[str], Program]
-    if language == "cpp":
-        from haros_ci.extract.cpp.read import read_cpp as read
-    else:
-        from haros_ci.extract.python.read import read_python as read
-    try:
-        program = read(workspace.text(path))
-    except FAULTS as err:
-        program = Program(language, problems=((1, fault("the file could not be read into the model", err)),))
-    return encoded(program) or ""
-
-
-def module_name(path: str, roots: Iterable[tuple[str, str]]) -> str:
-    """The dotted name under which a Python file is imported, "" if it lies below no import root.
-
-    *roots* are pairs of a directory and the top-level package that it is, "" for all that is in it (setup.py, package_dir).
-    """
-    best = ""
-    for directory, name in roots:
-        if directory == "." or path.startswith(f"{directory}/"):
-            inner = path if directory == "." else path[len(directory) + 1 :]
-            found = f"{name}/{inner}" if name else inner
-            if not best or len(found) < len(best):
-                best = found
-    return best.removesuffix(".py").removesuffix("/__init__").replace("/", ".")
 
 
 def ros2_launch(workspace: Workspace, built: Mapping[str, Build], launched: Memo) -> Ros2Launch:

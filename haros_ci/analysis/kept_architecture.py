@@ -12,9 +12,9 @@ from functools import cache
 
 import msgspec
 
-from haros_ci.analysis.architecture import programs
 from haros_ci.analysis.architecture_codec import LineLost, Lines, decoded, encoded
 from haros_ci.analysis.kept_runs import GROUP, MAX_OUTPUT, MAX_PACKED, key_of
+from haros_ci.analysis.programs import programs
 from haros_ci.model.architecture import Architecture, Configuration
 from haros_ci.model.workspace import Store, Workspace
 from haros_ci.report.escape import multiline

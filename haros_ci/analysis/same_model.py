@@ -6,8 +6,8 @@ from __future__ import annotations
 from dataclasses import replace
 from itertools import pairwise
 
-from haros_ci.analysis.architecture import facts_at, read_facts
 from haros_ci.analysis.kept_runs import state
+from haros_ci.analysis.programs import facts_at, read_facts
 from haros_ci.coverage.blanked import uncommented
 from haros_ci.keeping.moves import Lines, moves
 from haros_ci.model.package import SourceFile

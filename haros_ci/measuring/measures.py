@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import partial
 
-from haros_ci.analysis.architecture import programs
+from haros_ci.analysis.programs import programs
 from haros_ci.code.codebase import codebase
 from haros_ci.config.settings import Settings
 from haros_ci.forks import shared
@@ -117,7 +117,7 @@ def structure(
     """Functions and classes, from *store* as far as the bytes of files are known there."""
     facts = file_facts(workspace, store, processes)
     if sources is None:
-        sources = programs(workspace, builds(workspace), store, [], processes)
+        sources = programs(workspace, builds(workspace), store, [], processes, in_full=True)
     code = codebase(sources, workspace.text)
     return Structure(facts, measure_classes(code, facts))
 
