@@ -10,6 +10,7 @@ from functools import partial
 from haros_ci import syntax
 from haros_ci.follow import (
     around,
+    barren,
     call_arguments,
     construct,
     conversions,
@@ -41,8 +42,6 @@ SHORT, SPENT_SHORT = 10, 4000
 SPENT_ASKED = 20_000
 #: Steps that may go into one function in rehearsals, even if it makes something.
 REHEARSED = 10_000
-#: Steps that callbacks may put into one function that could make something, and has made nothing so far.
-IDLE = 800
 #: Steps of rehearsals after which a function is rehearsed no longer than one that makes nothing is followed.
 MANY = 20_000
 #: Why a node may have more than what was made, and why a value is not known.
@@ -126,12 +125,10 @@ def invoke(
         is_long
         and walk.listed
         and spent <= SPENT_ASKED
-        and any(_is_plugin(walk, argument.value) for argument in arguments)
+        and any(barren.is_plugin(walk, argument.value) for argument in arguments)
     ):
         is_long = False
-    way = (id(definition), walk.ruled_out() > 0)  # what is ruled out says nothing of what is not
-    idle = walk.idle.get(way, 0) if walk.is_called_back and not makes_nothing else 0
-    if idle > IDLE:
+    if not makes_nothing and barren.is_idle(walk, inner, definition, arguments):
         return inert.skipped(walk, inner, function, definition, returns, arguments)
     is_inert = makes_nothing and not is_long and inert.is_inert(walk, function, definition, returns, arguments)
     is_setter = is_inert and setters.is_setter(walk, definition, function.source)
@@ -156,15 +153,9 @@ def invoke(
         walk.spent[id(definition)] = spent + walk.steps - before, times + 1
         if is_setter:
             setters.followed(walk, function, inner.mark)
-    elif walk.is_called_back:
-        is_idle = walk.extent() == there and walk.steps - before > 1
-        walk.idle[way] = walk.idle.get(way, 0) + walk.steps - before if is_idle else 0
+    else:
+        barren.count(walk, definition, before, there)
     return value
-
-
-def _is_plugin(walk: Walk, value: Value) -> bool:
-    """Whether a value is the look-up name of a plug-in of which the program goes through all names."""
-    return isinstance(value, Known) and any(value.value in walk.context.declared.get(base, ()) for base in walk.listed)
 
 
 def _with_bound(

@@ -148,8 +148,9 @@ class Walk:
     gaps: dict[str, Location] = field(default_factory=dict)
     #: The cells that the last function returned a reference to: None if it was no reference, empty if they are not known.
     references: tuple[Cell, ...] | None = None
-    #: Steps that went into rehearsals of callbacks.
-    rehearsed: int = 0
+    rehearsed: int = 0  #: steps that went into rehearsals of callbacks
+    #: How much was made when something last was, and the steps until then (``follow.barren``).
+    last: tuple[int, int] = 0, 0
     #: What each callback writes by itself, as far as they have been rehearsed.
     effects: list[Writes] = field(default_factory=list)
     #: What the first *joined* of them leave behind, joined.
@@ -174,8 +175,7 @@ class Walk:
     absent: list[str] = field(default_factory=list)
     #: The same around the registration of the callback that is followed.
     dead_root: int = 0
-    #: ``try`` statements around what is followed.
-    trying: int = 0
+    trying: int = 0  #: ``try`` statements around what is followed
     #: Their blocks that are being followed, the innermost last.
     trials: list[Trial] = field(default_factory=list)
     #: Calls around what is followed that stand behind a return that is taken as things are.
@@ -189,8 +189,8 @@ class Walk:
     most: int = STEPS
     #: Steps spent in functions that make nothing, by function, and how often they were called.
     spent: dict[int, tuple[int, int]] = field(default_factory=dict)
-    #: Steps that callbacks have put into functions that could make something, since they last did, by function and whether that was ruled out.
-    idle: dict[tuple[int, bool], int] = field(default_factory=dict)
+    #: Steps and calls that went into functions that could make something, since they last did, by function, whether that was ruled out, and in a callback.
+    idle: dict[tuple[int, bool, bool], tuple[int, int]] = field(default_factory=dict)
     #: What functions that are followed as they set numbers have set, under which names (``follow.setters``).
     settled: dict[Slot, tuple[Value, frozenset[str]]] = field(default_factory=dict)
     #: Such functions around what is followed: they register nothing, as they did not where they are not followed.
