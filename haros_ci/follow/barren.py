@@ -19,7 +19,7 @@ IDLE = 800
 #: The same of one that the node calls in its beginning, in so many calls: one that makes something may first be called in vain.
 BARREN, OFTEN = 4_000, 8
 #: The same where nothing was made in so many steps of the node.
-BARREN_DRY, OFTEN_DRY, DRY = 300, 4, 10_000
+BARREN_DRY, OFTEN_DRY, DRY = 300, 4, 20_000
 #: What is said of a node of which a function is not followed any more.
 NO_MORE = "functions that go on making nothing are not followed any more in the beginning of the node: what else they make is missing"
 #: What a function has made, of ``Walk.extent``: what it registers does not count where all are dry, as threads and tasks are registered by the hundred.
