@@ -17,8 +17,8 @@ from haros_ci.results.rule import Level
 
 #: A finding names no more other places than this.
 MOST = 40
-#: Names, and lines, that the message lists.
-NAMED = 5
+#: Names, and lines, that the message lists; a name is to be written by whoever mends it, a line is a note as well.
+NAMED, LINES = 12, 5
 #: States of findings that are joined, each with its like.
 UNITED = (None, BaselineState.NEW, BaselineState.UNCHANGED)
 
@@ -122,8 +122,8 @@ def _with(first: Result, others: Sequence[Result]) -> Result:
         rest = f"{len(others)} more like it"
     lines = list(dict.fromkeys(str(other.location.line) for other in others))
     if lines != [str(first.location.line)]:
-        rest += f" ({'lines' if len(lines) > 1 else 'line'} {_listed(lines)})"
-    related = dict.fromkeys((*first.related, *_places(others, names if _are_names(names) else None)))
+        rest += f" ({'lines' if len(lines) > 1 else 'line'} {_listed(lines, LINES)})"
+    related = dict.fromkeys((*first.related, *_places(first, others, names if _are_names(names) else None)))
     return replace(
         first,
         message=f"{first.message.rstrip('.')}; and {rest}",
@@ -143,13 +143,19 @@ def _only_other(one: Sequence[str], other: Sequence[str]) -> str | None:
     return added[0] if len(one) == len(other) and len(added) == len({*one} - {*other}) == 1 else None
 
 
-def _places(others: Sequence[Result], names: Sequence[str | None] | None) -> Iterator[Related]:
-    """Where the *others* are and what each says; of those that differ in a name alone, what shows it."""
+def _places(first: Result, others: Sequence[Result], names: Sequence[str | None] | None) -> Iterator[Related]:
+    """Where the *others* are and what each says; of those that differ in a name alone, or in names at the same place, what shows it."""
     for i, other in enumerate(others):
-        if names is None:
+        is_renamed = other.location == first.location and _shape(other) == _shape(first)
+        if names is None and not (is_renamed and other.related):
             yield Related(other.location, other.message)
         else:
-            yield from other.related or (Related(other.location, f"The same of {names[i]}."),)
+            yield from other.related or (Related(other.location, f"The same of {names[i] if names else ''}."),)
+
+
+def _shape(result: Result) -> str:
+    """The sentence without its names: ``yaml-cpp`` and ``rclcpp`` are one name each."""
+    return _TOKEN.sub(lambda word: "_" if word[0][-1].isalnum() else word[0], result.message)
 
 
 def _different(one: str, other: str) -> str | None:
@@ -161,8 +167,8 @@ def _different(one: str, other: str) -> str | None:
     return pairs.pop()[1] if len(pairs) == 1 else None
 
 
-def _listed(items: Iterable[str]) -> str:
+def _listed(items: Iterable[str], most: int = NAMED) -> str:
     words = [*items]
-    if len(words) > NAMED:
-        return f"{', '.join(words[:NAMED])} and {len(words) - NAMED} more"
+    if len(words) > most:
+        return f"{', '.join(words[:most])} and {len(words) - most} more"
     return " and ".join(filter(None, (", ".join(words[:-1]), words[-1])))

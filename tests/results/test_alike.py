@@ -82,9 +82,38 @@ def test_what_another_is_about_whatever_its_place(
 
 
 def test_many_are_counted() -> None:
-    (one,) = joined([unused(f"n{number}", number) for number in range(1, 10)])
-    assert f"n{NAMED + 1} and 3 more (lines 2, 3, 4, 5, 6 and 3 more)" in one.message
-    assert len(one.copies) == 8
+    (one,) = joined([unused(f"n{number}", number) for number in range(1, NAMED + 5)])
+    assert f"n{NAMED + 1} and 3 more (lines 2, 3, 4, 5, 6 and {NAMED - 2} more)" in one.message
+    assert len(one.copies) == NAMED + 3
+
+
+def test_at_one_place_what_shows_them_says_more_than_their_sentences() -> None:
+    """Each of them stands at the same line, and a note has room for the half of its sentence."""
+    first, second = (
+        replace(
+            lacking(name),
+            message=f"demo needs {name} to build (find_package({name})), but package.xml does not declare it.",
+            subject=("demo", name),
+        )
+        for name in ("roscpp", "rospy")
+    )
+    key = lacking("yaml-cpp")
+    keyed = replace(
+        key,
+        message="demo needs yaml-cpp to build (find_package(YAML)), but package.xml does not declare it.",
+        subject=("demo", "yaml-cpp"),
+    )
+    (one,) = joined([first, second, keyed])
+    assert one.message.endswith("; and 2 more like it, of rospy and yaml-cpp")
+    assert [place.message for place in one.related] == [
+        f"needs {name}: find_package({name})" for name in ("roscpp", "rospy", "yaml-cpp")
+    ]
+
+
+def test_at_another_place_the_sentence_is_the_note() -> None:
+    far = [replace(missing(line), related=(Related(Location("b.launch", 1), "included here"),)) for line in (3, 9)]
+    (one,) = joined(far)
+    assert Related(Location("a.launch", 9), far[1].message) in one.related
 
 
 def in_copies(name: str, line: int, *paths: str) -> Result:
