@@ -6,6 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import replace
 
+from haros_ci.model.workspace import LATIN_1
 from haros_ci.results.result import Notification
 
 #: So many files are named for one reason.
@@ -19,6 +20,9 @@ def gathered(notes: Iterable[Notification]) -> tuple[Notification, ...]:
     """
     by_file: dict[object, list[Notification]] = {}
     for note in notes:
+        if note.message == LATIN_1 and note.path:
+            by_file.setdefault((LATIN_1, note.level), []).append(note)
+            continue
         is_of_file = note.tool and note.path and note.message.startswith(f"{note.tool}{_GAVE_UP}")
         by_file.setdefault((note.path, note.level) if is_of_file else id(note), []).append(note)
     by_reason: dict[object, list[Notification]] = {}
@@ -26,7 +30,9 @@ def gathered(notes: Iterable[Notification]) -> tuple[Notification, ...]:
         first = group[0]
         tools = list(dict.fromkeys(note.tool or "" for note in group))
         reason = first.message.partition(_GAVE_UP)[2]
-        if reason:
+        if first.message == LATIN_1:
+            by_reason[LATIN_1, first.level] = group
+        elif reason:
             by_reason.setdefault((tuple(tools), reason, first.level), []).append(first)
         else:
             by_reason[id(first)] = group
@@ -40,15 +46,20 @@ def _of_many(reason: str) -> str:
 
 def _one(key: object, group: list[Notification]) -> Notification:
     first = group[0]
-    if not isinstance(key, tuple):
+    if first.message == LATIN_1 and len(group) > 1:
+        message = f"{len(group)} files are not UTF-8, and are read as Latin-1; save them as UTF-8: {_named(group)}"
+        return replace(first, path=None, line=None, message=message)
+    if first.message == LATIN_1 or not isinstance(key, tuple):
         return first
     tools, reason, _ = key
     who = tools[0] if len(tools) == 1 else f"{', '.join(tools[:-1])} and {tools[-1]}"
     if len(group) == 1:
         return first if len(tools) == 1 else replace(first, tool=None, message=f"{who}{_GAVE_UP}{reason}")
-    places = [f"{note.path}:{note.line}" if note.line else f"{note.path}" for note in group]
-    named = ", ".join(places[:NAMED])
-    if len(places) > NAMED:
-        named += f" and {len(places) - NAMED} more"
-    message = f"{who} could not analyse {len(group)} files: {_of_many(reason.rstrip('.'))}: {named}"
+    message = f"{who} could not analyse {len(group)} files: {_of_many(reason.rstrip('.'))}: {_named(group)}"
     return replace(first, tool=tools[0] if len(tools) == 1 else None, path=None, line=None, message=message)
+
+
+def _named(group: list[Notification]) -> str:
+    places = [f"{note.path}:{note.line}" if note.line else f"{note.path}" for note in group]
+    more = f" and {len(places) - NAMED} more" if len(places) > NAMED else ""
+    return f"{', '.join(places[:NAMED])}{more}"

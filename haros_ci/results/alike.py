@@ -121,12 +121,14 @@ def _with(first: Result, others: Sequence[Result]) -> Result:
     else:
         rest = f"{len(others)} more like it"
     lines = list(dict.fromkeys(str(other.location.line) for other in others))
+    if all(other.message == first.message and other.location == first.location for other in others):
+        rest = ""  # the notes have the places
     if lines != [str(first.location.line)]:
         rest += f" ({'lines' if len(lines) > 1 else 'line'} {_listed(lines, LINES)})"
     related = dict.fromkeys((*first.related, *_places(first, others, names if _are_names(names) else None)))
     return replace(
         first,
-        message=f"{first.message.rstrip('.')}; and {rest}",
+        message=f"{first.message.rstrip('.')}; and {rest}" if rest else first.message,
         related=(*first.related, *[place for place in related if place not in first.related][:MOST]),
         copies=(*first.copies, *(copy for other in others for copy in (other, *other.copies))),
     )

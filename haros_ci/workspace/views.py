@@ -65,7 +65,9 @@ class View:
 def _near(path: str, other: str) -> int:
     """How many directories from the root on two paths share."""
     pairs = zip(path.split("/")[:-1], other.split("/"))
-    return next((i for i, (here, there) in enumerate(pairs) if here != there), min(path.count("/"), other.count("/") + 1))
+    return next(
+        (i for i, (here, there) in enumerate(pairs) if here != there), min(path.count("/"), other.count("/") + 1)
+    )
 
 
 def views(workspace: Workspace) -> tuple[View, ...]:

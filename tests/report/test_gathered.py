@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import pytest
 
+from haros_ci.model.workspace import LATIN_1
 from haros_ci.report.gathered import NAMED, gathered
 from haros_ci.results.result import Notification
 from haros_ci.results.rule import Level
@@ -35,6 +36,17 @@ def test_files_of_python_2_of_two_tools() -> None:
     notes += [note("radon", path, f"Missing parentheses in {path}", 4) for path in ("a.py", "b.py")]
     (one,) = gathered(notes)
     assert one.message == "pylint and radon could not analyse 2 files: they are Python 2: a.py:4, b.py:4"
+
+
+def latin(path: str, line: int) -> Notification:
+    return Notification(Level.WARNING, LATIN_1, path=path, line=line)
+
+
+def test_files_in_latin_1() -> None:
+    (one,) = gathered([latin("a.h", 38), latin("b.h", 3)])
+    assert one.message == "2 files are not UTF-8, and are read as Latin-1; save them as UTF-8: a.h:38, b.h:3"
+    assert (one.path, one.line) == (None, None)
+    assert gathered([latin("a.h", 38)]) == (latin("a.h", 38),)
 
 
 QUIET = [

@@ -59,7 +59,9 @@ def test_the_report_of_people_has_them_once() -> None:
         pytest.param(replace(B, suppressions=(Suppression("inSource", ""),)), id="silenced"),
         pytest.param(replace(B, copies=(C,)), id="stands for others already"),
         pytest.param(given("b.launch", 4, "did you mean imu?"), id="with other advice"),
-        pytest.param(given("b.launch", 4, "correct the name, or remove it; likewise for rate"), id="of more parameters"),
+        pytest.param(
+            given("b.launch", 4, "correct the name, or remove it; likewise for rate"), id="of more parameters"
+        ),
         pytest.param(replace(B, message=B.message.replace("demo/odom", "demo/other")), id="of another program"),
     ],
 )

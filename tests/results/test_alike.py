@@ -110,6 +110,14 @@ def test_at_one_place_what_shows_them_says_more_than_their_sentences() -> None:
     ]
 
 
+def test_the_same_of_the_same_place_is_not_counted() -> None:
+    """Two branches start a node that is given one file: what differs is where."""
+    one, other = (replace(missing(3), related=(Related(Location("a.launch", line), "starts it"),)) for line in (26, 42))
+    (whole,) = joined([one, other])
+    assert whole.message == one.message and len(whole.copies) == 1
+    assert [place.location.line for place in whole.related] == [26, 42]
+
+
 def test_at_another_place_the_sentence_is_the_note() -> None:
     far = [replace(missing(line), related=(Related(Location("b.launch", 1), "included here"),)) for line in (3, 9)]
     (one,) = joined(far)
