@@ -22,11 +22,11 @@ NAMED, LINES = 12, 5
 #: States of findings that are joined, each with its like.
 UNITED = (None, BaselineState.NEW, BaselineState.UNCHANGED)
 
-#: Rules on names that are not there: a missing import, or a declaration that stands too low, shows at each use. Those of lines that are no further apart
+#: Rules on names that are not there: a missing import, or a declaration that is missing or stands too low, shows at each use. Those of lines that are no further apart
 #: than NEAR have one cause.
 OF_NAMES = frozenset(
     """
-    flake8:F821 haros-ci:undefined-attribute haros-ci:undefined-field haros-ci:undefined-interface haros-ci:undefined-name
+    flake8:F821 haros-ci:parameter-read-undeclared haros-ci:undefined-attribute haros-ci:undefined-field haros-ci:undefined-interface haros-ci:undefined-name
     haros-ci:unset-launch-argument pylint:undefined-variable ruff:F821
     """.split()
 )
@@ -101,7 +101,7 @@ def _neighbours(by_line: Mapping[int, Sequence[int]], results: Sequence[Result])
         result = results[here[0]]
         if len(here) > 1 or result.copies or result.level is not Level.ERROR or result.full_id not in OF_NAMES:
             continue
-        now = _WORD.sub("_", result.message.partition("; ")[0].rstrip("."))
+        now = _shape(result.message.partition("; ")[0].rstrip("."))
         if now == shape and line - last <= NEAR:
             found[-1].append(here[0])
         else:
@@ -148,16 +148,16 @@ def _only_other(one: Sequence[str], other: Sequence[str]) -> str | None:
 def _places(first: Result, others: Sequence[Result], names: Sequence[str | None] | None) -> Iterator[Related]:
     """Where the *others* are and what each says; of those that differ in a name alone, or in names at the same place, what shows it."""
     for i, other in enumerate(others):
-        is_renamed = other.location == first.location and _shape(other) == _shape(first)
+        is_renamed = other.location == first.location and _shape(other.message) == _shape(first.message)
         if names is None and not (is_renamed and other.related):
             yield Related(other.location, other.message)
         else:
             yield from other.related or (Related(other.location, f"The same of {names[i] if names else ''}."),)
 
 
-def _shape(result: Result) -> str:
-    """The sentence without its names: ``yaml-cpp`` and ``rclcpp`` are one name each."""
-    return _TOKEN.sub(lambda word: "_" if word[0][-1].isalnum() else word[0], result.message)
+def _shape(message: str) -> str:
+    """*message* without its names: ``yaml-cpp`` and ``robot.width`` are one name each."""
+    return _TOKEN.sub(lambda word: "_" if word[0][-1].isalnum() or word[0][-1] == "_" else word[0], message)
 
 
 def _different(one: str, other: str) -> str | None:

@@ -40,6 +40,16 @@ def test_one_cause_in_several_files(results: tuple[Result, ...], end: str) -> No
     assert [place.location for place in one.related] == [result.location for result in results[1:]]
 
 
+def test_keywords_of_a_former_version() -> None:
+    old = "node_name= was removed from launch_ros after ROS 2 Foxy: launch stops here; write name="
+    results = [
+        Result("haros-ci", "deprecated-launch-keyword", Level.WARNING, f"{old}{more}.", Location(path, 4), subject=("node_name=",))
+        for path, more in (("a.launch.py", "; so have 2 more calls of this file"), ("b.launch.py", ""))
+    ]  # fmt: skip
+    (one,) = across(results)
+    assert one.message.endswith("of this file; and the same in 1 other file (b.launch.py)")
+
+
 def test_the_report_of_people_has_them_once() -> None:
     run = Run(Tool("haros-ci"), results=(A, B, replace(C, subject=("/odom", "rate"))))
     (joined,) = together(Report(runs=(run,)), lambda path: "", lambda path: "demo").runs

@@ -110,6 +110,17 @@ def test_at_one_place_what_shows_them_says_more_than_their_sentences() -> None:
     ]
 
 
+def test_parameters_that_are_read_one_after_another() -> None:
+    names = {10: "robot.wheel_radius", 11: "robot.Kp", 12: "robot_id", 30: "rate"}
+    found = [
+        Result("haros-ci", "parameter-read-undeclared", Level.ERROR, f"cart/cart reads the parameter {name}, but does not declare it: the call throws; declare it first.", Location("a.cpp", line), subject=("cart/cart", name))
+        for line, name in names.items()
+    ]  # fmt: skip
+    one, far = joined(found)
+    assert one.message.endswith("declare it first; and the same of robot.Kp and robot_id (lines 11 and 12)")
+    assert far == found[-1]
+
+
 def test_the_same_of_the_same_place_is_not_counted() -> None:
     """Two branches start a node that is given one file: what differs is where."""
     one, other = (replace(missing(3), related=(Related(Location("a.launch", line), "starts it"),)) for line in (26, 42))
