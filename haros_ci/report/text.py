@@ -220,7 +220,7 @@ def _matched(report: Report, paint: Paint) -> Iterator[str]:
 
 def _problems(report: Report, paint: Paint, known: Collection[Notification] = ()) -> Iterator[str]:
     worth = (n for n in summary.notifications(report) if n.level is not Level.NOTE or not n.tool or not n.path)
-    shown = gathered(n for n in worth if n not in known)
+    shown = gathered((n for n in worth if n not in known), report.shown())
     for _, group in groupby(shown, lambda n: (n.level, n.tool)):
         notes = tuple(group)
         for note in notes[:MAX_TROUBLE]:

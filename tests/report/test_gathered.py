@@ -5,9 +5,10 @@ from __future__ import annotations
 
 import pytest
 
+from haros_ci.model.location import Location
 from haros_ci.model.workspace import LATIN_1
 from haros_ci.report.gathered import NAMED, gathered
-from haros_ci.results.result import Notification
+from haros_ci.results.result import Notification, Result
 from haros_ci.results.rule import Level
 
 
@@ -49,7 +50,30 @@ def test_files_in_latin_1() -> None:
     assert gathered([latin("a.h", 38)]) == (latin("a.h", 38),)
 
 
+def test_files_that_are_skipped_for_one_reason() -> None:
+    why = "skipped: a symbolic link that leads nowhere"
+    (one,) = gathered([Notification(Level.WARNING, why, path=f"{name}.h") for name in "abcdefg"])
+    assert one.message == "7 files are skipped (a symbolic link that leads nowhere): a.h, b.h, c.h, d.h, e.h and 2 more"
+
+
+@pytest.mark.parametrize(
+    ("rule", "path", "line", "count"),
+    [
+        ("syntax-error", "a.py", 3, 0),
+        ("syntax-error", "a.py", 4, 1),
+        ("syntax-error", "b.py", 3, 1),
+        ("undefined-variable", "a.py", 3, 1),
+    ],
+)
+def test_what_a_finding_says_already(rule: str, path: str, line: int, count: int) -> None:
+    result = Result("pylint", rule, Level.ERROR, "Parsing failed", Location(path, line))
+    assert len(gathered([note("radon", "a.py", "invalid syntax", 3)], [result])) == count
+
+
 QUIET = [
+    [Notification(Level.WARNING, "skipped: 3 bytes", path="a.h"), Notification(Level.WARNING, "skipped: 4 bytes", path="b.h")],
+    [Notification(Level.WARNING, "skipped: x", path="a.h"), Notification(Level.ERROR, "skipped: x", path="b.h")],
+    [Notification(Level.WARNING, "skipped: x", "cppcheck", "a.h"), Notification(Level.WARNING, "skipped: x", "cppcheck", "b.h")],
     [note("pylint", "a.py", "it is Python 2")],
     [note("pylint", "a.py", "it is Python 2"), note("pylint", "b.py", "a null byte")],
     [note("pylint", "a.py", "it is Python 2"), note("cppcheck", "b.cpp", "it is Python 2")],
