@@ -49,7 +49,12 @@ def _class_of(end: End, system: System) -> tuple[str, str] | None:
     """The Python class, a direct subclass of Node, that declares a parameter of its object there."""
     place = end.location
     lines = system.workspace.text(place.path).split("\n") if system.workspace is not None else []
-    if not place.path.endswith(".py") or not place.line or place.line > len(lines) or "self." not in lines[place.line - 1]:
+    if (
+        not place.path.endswith(".py")
+        or not place.line
+        or place.line > len(lines)
+        or "self." not in lines[place.line - 1]
+    ):
         return None
     heads = (found for line in reversed(lines[: place.line]) if (found := _CLASS.match(line)) is not None)
     head = next(heads, None)

@@ -245,7 +245,11 @@ def _finding(
     namespaces = "give it a relative name and start them in" if _is_absolute(second, system) else "start them in"
     advice = f"; remap it for one of them, or {namespaces} different namespaces"
     if not is_twice:
-        advice = "; give one of them another name, or start one of them alone" if first.node is not second.node else "; keep one of them"
+        advice = (
+            "; give one of them another name, or start one of them alone"
+            if first.node is not second.node
+            else "; keep one of them"
+        )
     return Finding(
         at=second.node.location if is_twice else named_at(second),
         message=f"{whose} offer the {channel.kind} {channel}{more}: {effect}{advice}",

@@ -11,8 +11,8 @@ from haros_ci.checking.kinds import ACTION, SERVICE, TOPIC
 from haros_ci.checking.patience import Overrun, Patience
 from haros_ci.checking.project import Project
 from haros_ci.checking.set_aside import lowered
-from haros_ci.checking.unrun_cmake import of_what_is_run
 from haros_ci.checking.system import Channel, End, System, SystemNode
+from haros_ci.checking.unrun_cmake import of_what_is_run
 from haros_ci.model.location import Location
 from haros_ci.model.presence import assignment, in_words, together
 from haros_ci.model.workspace import Workspace

@@ -17,7 +17,13 @@ from haros_ci.results.result import Related, Result
 #: Rules on a thing that launch files name and that is wrong, or not there, wherever they name it; and on what a version of launch has no more.
 OF_ONE_CAUSE = frozenset(
     f"haros-ci:{rule}"
-    for rule in ("deprecated-launch-keyword", "missing-launch-file", "parameter-file-missing", "parameter-not-declared", "unknown-executable")
+    for rule in (
+        "deprecated-launch-keyword",
+        "missing-launch-file",
+        "parameter-file-missing",
+        "parameter-not-declared",
+        "unknown-executable",
+    )
 )
 #: Parts of a message, after a semicolon, that tell the configuration which shows the finding, or count other places of the file.
 _SEEN = ("in ", "seen with ", "so has ", "so have ")

@@ -60,7 +60,10 @@ def test_interfaces_that_are_not_generated(kind: str, setup: str, cmake: str, co
     assert len(found) == count and all("so its interfaces are not generated" in message for message in found)
 
 
-INSTALLS = CMAKE.replace("rosidl_generate", "install(DIRECTORY gone DESTINATION share/demo)\ninstall(FILES scripts/run.py DESTINATION lib/demo)\n# ")
+INSTALLS = CMAKE.replace(
+    "rosidl_generate",
+    "install(DIRECTORY gone DESTINATION share/demo)\ninstall(FILES scripts/run.py DESTINATION lib/demo)\n# ",
+)
 
 
 @pytest.mark.parametrize(

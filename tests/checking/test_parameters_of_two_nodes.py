@@ -54,4 +54,6 @@ def main():
 )  # fmt: skip
 def test_two_nodes_and_one(program: str, count: int, tmp_path: Path) -> None:
     check = next(check for check in checks() if check.id == "parameter-declared-twice")
-    assert len({r.location for r in said(check, Example("", True, {**FILES, "demo/run.py": program}), tmp_path)}) == count
+    assert (
+        len({r.location for r in said(check, Example("", True, {**FILES, "demo/run.py": program}), tmp_path)}) == count
+    )

@@ -71,9 +71,15 @@ def test_what_a_finding_says_already(rule: str, path: str, line: int, count: int
 
 
 QUIET = [
-    [Notification(Level.WARNING, "skipped: 3 bytes", path="a.h"), Notification(Level.WARNING, "skipped: 4 bytes", path="b.h")],
+    [
+        Notification(Level.WARNING, "skipped: 3 bytes", path="a.h"),
+        Notification(Level.WARNING, "skipped: 4 bytes", path="b.h"),
+    ],
     [Notification(Level.WARNING, "skipped: x", path="a.h"), Notification(Level.ERROR, "skipped: x", path="b.h")],
-    [Notification(Level.WARNING, "skipped: x", "cppcheck", "a.h"), Notification(Level.WARNING, "skipped: x", "cppcheck", "b.h")],
+    [
+        Notification(Level.WARNING, "skipped: x", "cppcheck", "a.h"),
+        Notification(Level.WARNING, "skipped: x", "cppcheck", "b.h"),
+    ],
     [note("pylint", "a.py", "it is Python 2")],
     [note("pylint", "a.py", "it is Python 2"), note("pylint", "b.py", "a null byte")],
     [note("pylint", "a.py", "it is Python 2"), note("cppcheck", "b.cpp", "it is Python 2")],
