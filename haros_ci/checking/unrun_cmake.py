@@ -14,7 +14,7 @@ _OF_BUILDS = frozenset(("packages", "build"))
 
 
 def of_what_is_run(project: Project) -> Callable[[Iterable[str], Iterable[Finding]], Iterator[Finding]]:
-    """A function that leaves out what checks of builds, told by their tags, find in CMake of such packages; wrong-build-type tells of what is lost by that."""
+    """A function that leaves out what checks of builds, known by their tags, find in CMake of such packages; wrong-build-type tells of what is lost by that."""
     alone = {p.name for p in project.packages if p.raw.build_type == "ament_python" and p.has("setup.py")}
     package_of = project.workspace.package_finder()
 
