@@ -161,7 +161,7 @@ def _link(state: CMakeState, call: EvaluatedCommand) -> None:
     made = state.targets.get(call.words[0]) if call.words else None
     if made is None:
         return
-    for word in chain.from_iterable(map(split_list, resolved(call.words[1:]))):
+    for word in resolved(call.words[1:]):
         element = bare(word)
         if element in _SCOPES or element in ("debug", "optimized", "general") or element in ("", UNKNOWN):
             continue

@@ -89,7 +89,7 @@ def test_links() -> None:
         "find_package(catkin REQUIRED)\nadd_library(t a.cpp)\nadd_library(o OBJECT b.cpp)\n"
         "target_link_libraries(t PRIVATE debug x optimized x PUBLIC ${catkin_LIBRARIES} ${NOT_SET} rclcpp::rclcpp\n"
         " $<BUILD_INTERFACE:core> $<INSTALL_INTERFACE:gone> $<$<CONFIG:Debug>:dbg> $<TARGET_OBJECTS:o>)\n"
-        'target_link_libraries(t "y;-lm")'
+        "target_link_libraries(t y -lm)"
     )
     target = built(text, "a.cpp", "b.cpp").targets[0]
     assert target.links == ("x", "${catkin_LIBRARIES}", "rclcpp::rclcpp", "core", "dbg", "o", "y", "-lm")
