@@ -36,6 +36,9 @@ NEAR = 3
 #: construct that is wrong in the same way at each of its places.
 OF_ONE_CAUSE = {"haros-ci:parameter-file-missing": ": ", "haros-ci:malformed-launch-file": "\n"}
 
+#: Errors of one file that have one cause if they say the same but for names: elements of a robot's description that all lack the prefix of xacro.
+OF_ONE_SHAPE = {"haros-ci:undefined-in-xacro": " has the name of a macro, but "}
+
 _WORD = re.compile(r"\w+")
 _TOKEN = re.compile(r"[\w./:-]*\w|[^\w\s]")
 
@@ -76,6 +79,11 @@ def _alike(indexes: Sequence[int], results: Sequence[Result]) -> Iterator[list[i
             yield found
             continue
         result = results[found[0]]
+        if (mark := OF_ONE_SHAPE.get(result.full_id)) and mark in result.message:
+            by_shape[
+                (_shape(result.message.partition("; ")[0]), *(copy.location.path for copy in result.copies))
+            ].append(found[0])
+            continue
         if result.copies:
             continue
         if result.level is not Level.ERROR:

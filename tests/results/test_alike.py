@@ -121,6 +121,23 @@ def test_parameters_that_are_read_one_after_another() -> None:
     assert far == found[-1]
 
 
+def unprefixed(name: str, line: int, *copies: str) -> Result:
+    message = f"<{name}> has the name of a macro, but xacro expands <xacro:{name}> only: the element has no effect; write <xacro:{name}>"
+    one = Result("haros-ci", "undefined-in-xacro", Level.ERROR, message, Location("a.xacro", line), subject=("a", name))
+    return replace(one, copies=tuple(replace(one, location=Location(path, line)) for path in copies))
+
+
+def test_elements_without_the_prefix_of_xacro() -> None:
+    (one,) = joined([unprefixed("wheel", 3), unprefixed("arm", 9), unprefixed("wheel", 40)])
+    assert one.message.endswith("; and 2 more like it (lines 9 and 40)") and len(one.copies) == 2
+    (one,) = joined([unprefixed("wheel", 3, "b.xacro"), unprefixed("arm", 9, "b.xacro")])
+    assert len(one.copies) == 3
+    apart = [unprefixed("wheel", 3, "b.xacro"), unprefixed("arm", 9)]
+    assert joined(apart) == tuple(apart)
+    other = replace(unprefixed("arm", 9), message="calls the macro 'arm', which is not defined here")
+    assert joined([unprefixed("wheel", 3), other]) == (unprefixed("wheel", 3), other)
+
+
 def test_the_same_of_the_same_place_is_not_counted() -> None:
     """Two branches start a node that is given one file: what differs is where."""
     one, other = (replace(missing(3), related=(Related(Location("a.launch", line), "starts it"),)) for line in (26, 42))
