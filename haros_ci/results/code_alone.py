@@ -25,6 +25,17 @@ def code_alone(text: str, kind: str) -> str:
     return text if pattern is None else pattern.sub(_blank, text)
 
 
+@lru_cache(maxsize=8)
+def without_comments(text: str, kind: str) -> str:
+    """*text* of syntax *kind* with blanks for comments alone: names of files and of attributes are texts."""
+    pattern = _CODE.get(kind)
+    return (
+        text
+        if pattern is None
+        else pattern.sub(lambda found: found[0] if found[0][0] in "\"'" else _blank(found), text)
+    )
+
+
 def _blank(found: re.Match[str]) -> str:
     whole = found[0]
     quote = whole[:3] if whole.startswith(_TRIPLE) else whole[:1]
