@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Findings that the code around them speaks against, and that come with a change: it may have written that code for them.
 
-Linters take some code for wrong that is right, and filters know such code by its look. Who writes both the mistake and the look would be told nothing;
+Linters take some code for wrong that is right, and filters know such code by its look. Of who writes both, the mistake and the look, nothing would be reported;
 so what is dropped at a place that the change brings, or by what it brings, is named.
 """
 

@@ -61,13 +61,13 @@ def _headers(
         for file in head.files
         if file.language == "cpp" and (found := _included(head.text(file.path), names))
     }
-    told: set[frozenset[str]] = set()
+    named: set[frozenset[str]] = set()
     for path, file in sorted(suspects.items()):
         for other in every[_name(path)]:
             pair = frozenset((path, other.path))
-            name = "" if other.path == path or pair in told else _both(file, other, written)
+            name = "" if other.path == path or pair in named else _both(file, other, written)
             if name:
-                told.add(pair)
+                named.add(pair)
                 yield Problem(
                     path,
                     f"{name} may mean this file or {other.path}, by the order of include directories: look which of them is compiled",
