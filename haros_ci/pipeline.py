@@ -28,6 +28,7 @@ from haros_ci.linters.run import lint
 from haros_ci.linters.said_by_ours import said_once
 from haros_ci.linters.seen_otherwise import notifications as seen_otherwise
 from haros_ci.linters.settings_changes import notifications as changed_settings
+from haros_ci.linters.used_aside import notifications as used_aside
 from haros_ci.linting import (
     confinement,
     contradictions,
@@ -97,6 +98,7 @@ def analyse(
         past = base if isinstance(base, Base) else None
         changed = changed_settings(workspace, past.workspace if past and past.settings else None)
         changed += seen_otherwise(workspace, past.workspace if past else None)
+        changed += used_aside(workspace, past.workspace if past else None)
         workspace = settled(workspace, settings, base)
         head, old = (None, None) if recorded is None else recorded(workspace, past)
         left = left_out(workspace, settings, base)

@@ -15,7 +15,7 @@ from haros_ci.results.code_alone import code_alone
         ("python", "b = 'from numpy import *'\n", "b = '                   '\n"),
         ("python", '"""Doc.\n\nfrom a import *\n"""\nc = 1\n', '"""    \n\n               \n"""\nc = 1\n'),
         ("python", "d = 'if d:", "d = '     "),
-        ("c", "int a;  // auto a\n", "int a;         \n"),
+        ("c", "int a;  // auto a\n", "int a;           \n"),
         ("c", "/* using b =\n c */ int b;\n", "            \n      int b;\n"),
         ("c", 'puts("using a = b;");\n', 'puts("            ");\n'),
         ("c", 'auto a = R"(if (a)\n)"; int b;\n', 'auto a = R"       \n "; int b;\n'),
