@@ -8,7 +8,8 @@ is not used is analysed as if it were, by those who look it up by its name.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping
+import sys
+from collections.abc import Collection, Iterable, Iterator, Mapping
 
 from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Problem, Workspace
@@ -21,6 +22,8 @@ _INCLUDES = re.compile(r"^[ \t]*(?:#|%:)[ \t]*(?:include|import)[ \t]*([\"<])([^
 _PATHS = frozenset(("include_directories", "target_include_directories"))
 #: Shared libraries by whose names Python imports them before a module in source.
 _EXTENSION = re.compile(r"(.+?)(?:\.cpython-[\w.-]+|\.abi3)?\.so")
+#: Directories that are called so everywhere, and that nobody imports from Python.
+_USUAL = frozenset(("test", "lib2to3", "this", "site"))
 _KEYWORDS = frozenset(
     "DESTINATION RENAME COMPONENT PERMISSIONS CONFIGURATIONS OPTIONAL TYPE EXPORT RUNTIME LIBRARY ARCHIVE INCLUDES EXCLUDE_FROM_ALL".split()
 )
@@ -107,9 +110,14 @@ def _paths(text: str) -> list[tuple[str, ...]]:
 
 
 def _modules(names: Iterable[str], before: Iterable[str]) -> Iterator[Problem]:
-    """One for each package of Python, or shared library, that stands beside a module of its name since then."""
+    """One for each package of Python, or shared library, that stands beside a module of its name since then, or is called as one of Python's own."""
     names, before = frozenset(names), frozenset(before)
     for path in sorted(names):
+        if path.endswith(".py") and path not in before and (module := _of_python(path, names)):
+            yield Problem(
+                path,
+                f"linters take this for the module {module} of Python's own, which is called so, in all files that import that",
+            )
         if path.endswith("/__init__.py"):
             module = f"{path.removesuffix('/__init__.py')}.py"
         elif path.endswith(".so") and (extension := _EXTENSION.fullmatch(path)):
@@ -118,6 +126,14 @@ def _modules(names: Iterable[str], before: Iterable[str]) -> Iterator[Problem]:
             continue
         if module in names and not (path in before and module in before):
             yield Problem(path, f"Python imports this in place of {module}, which is called so as well")
+
+
+def _of_python(path: str, names: Collection[str]) -> str:
+    """The module of Python's own that the file at *path*, which lies in no package, is called like, itself or as a package; "" without one."""
+    stem = path.removesuffix("/__init__.py").removesuffix(".py")
+    folder, _, module = stem.rpartition("/")
+    is_top = (f"{folder}/__init__.py" if folder else "__init__.py") not in names
+    return module if is_top and module in sys.stdlib_module_names and module not in _USUAL else ""
 
 
 def _programs(head: Workspace, base: Workspace, changed: Iterable[SourceFile]) -> Iterator[Problem]:
