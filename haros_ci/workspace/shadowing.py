@@ -24,6 +24,13 @@ _PATHS = frozenset(("include_directories", "target_include_directories"))
 _EXTENSION = re.compile(r"(.+?)(?:\.cpython-[\w.-]+|\.abi3)?\.so")
 #: Directories that are called so everywhere, and that nobody imports from Python.
 _USUAL = frozenset(("test", "lib2to3", "this", "site"))
+#: Headers of C that C++ has by these names, too ([depr.c.headers]), and of POSIX.
+_OF_C = frozenset(
+    """
+    assert.h complex.h ctype.h errno.h fenv.h float.h inttypes.h iso646.h limits.h locale.h math.h setjmp.h signal.h stdalign.h stdarg.h stdatomic.h
+    stdbool.h stddef.h stdint.h stdio.h stdlib.h string.h tgmath.h time.h uchar.h wchar.h wctype.h unistd.h fcntl.h pthread.h
+    """.split()
+)
 _KEYWORDS = frozenset(
     "DESTINATION RENAME COMPONENT PERMISSIONS CONFIGURATIONS OPTIONAL TYPE EXPORT RUNTIME LIBRARY ARCHIVE INCLUDES EXCLUDE_FROM_ALL".split()
 )
@@ -35,6 +42,7 @@ def shadowed(head: Workspace, base: Workspace) -> tuple[Problem, ...]:
     changed = [file for file in head.files if old.get(file.path) != file.digest and not file.third_party]
     problems = (
         *_headers(head, base, [file for file in changed if file.language == "cpp"], changed),
+        *_decoys(head, base, [file for file in changed if file.language == "cpp"]),
         *_modules(head.names, base.names),
         *_programs(head, base, [file for file in changed if file.language == "cmake"]),
     )
@@ -74,6 +82,23 @@ def _headers(
                 yield Problem(
                     path,
                     f"{name} may mean this file or {other.path}, by the order of include directories: look which of them is compiled",
+                )
+
+
+def _decoys(head: Workspace, base: Workspace, sources: Iterable[SourceFile]) -> Iterator[Problem]:
+    """One for each new header that linters find by the name of one of another package, or of C, which a compiler may have from elsewhere."""
+    homes = {package.name: package for package in head.packages}
+    for file in sources:
+        package = homes.get(file.package or "")
+        if package is None or file.path in base.names or not file.path.endswith(_HEADERS):
+            continue
+        inside = file.path if package.path == "." else file.path.removeprefix(f"{package.path}/")
+        others = {dependency.name for dependency in package.dependencies} - {package.name}
+        for name in {inside, inside.removeprefix("src/"), inside.removeprefix("include/")}:
+            first, _, rest = name.partition("/")
+            if (rest and first in others) or (not rest and name in _OF_C):
+                yield Problem(
+                    file.path, f"linters take this for {name}, by which a compiler may find a header that is installed"
                 )
 
 

@@ -20,6 +20,9 @@ HEADER = {"arm/package.xml": MANIFEST.format("arm"), "arm/src/driver.cpp": USE, 
 OTHER = {"more/package.xml": MANIFEST.format("more")}
 PYTHON = {"tool/package.xml": MANIFEST.format("tool"), "tool/tool/names.py": "A = 1\n", "tool/tool/__init__.py": ""}
 INSTALL = "install(PROGRAMS {} DESTINATION lib/arm)\n"
+DEPENDS = HEADER | {
+    "arm/package.xml": MANIFEST.format("arm").replace("</version>", "</version><depend>rclcpp</depend>")
+}
 TARGET = "install(TARGETS driver DESTINATION lib/arm)\n"
 
 
@@ -57,6 +60,20 @@ def brought(place: Path, base: dict[str, str], head: dict[str, str]) -> list[tup
             "may mean this file or arm/include/arm/give.hpp",
         ),
         (PYTHON, {"tool/tool/names/__init__.py": ""}, "tool/tool/names/__init__.py", "in place of tool/tool/names.py"),
+        (DEPENDS, {"arm/rclcpp/rclcpp.hpp": GIVE}, "arm/rclcpp/rclcpp.hpp", "linters take this for rclcpp/rclcpp.hpp"),
+        (
+            DEPENDS,
+            {"arm/src/rclcpp/node.hpp": GIVE},
+            "arm/src/rclcpp/node.hpp",
+            "linters take this for rclcpp/node.hpp",
+        ),
+        (
+            DEPENDS,
+            {"arm/include/rclcpp/node.hpp": GIVE},
+            "arm/include/rclcpp/node.hpp",
+            "linters take this for rclcpp/node.hpp",
+        ),
+        (HEADER, {"arm/src/stdlib.h": GIVE}, "arm/src/stdlib.h", "linters take this for stdlib.h"),
         (PYTHON, {"tool/json.py": "A = 1\n"}, "tool/json.py", "the module json of Python's own"),
         (PYTHON, {"json/__init__.py": ""}, "json/__init__.py", "the module json of Python's own"),
         (PYTHON, {"queue.py": ""}, "queue.py", "the module queue of Python's own"),
@@ -118,6 +135,9 @@ TWICE = HEADER | {"arm/first/arm/give.hpp": GIVE}
             {"arm/CMakeLists.txt": LISTS + FIRST.format("first") + "# more\n"},
         ),
         (PYTHON, {"tool/tool/others/__init__.py": ""}),
+        (DEPENDS, {"arm/src/node.hpp": GIVE, "arm/include/arm/rclcpp/node.hpp": GIVE, "arm/src/arm/other.hpp": GIVE}),
+        (DEPENDS, {"arm/rclcpp.hpp": GIVE, "arm/src/rclcpp.cpp": GIVE, "arm/include/arm/stdlib.h": GIVE}),
+        (DEPENDS | {"arm/src/rclcpp/node.hpp": GIVE}, {"arm/src/rclcpp/node.hpp": GIVE + "int b;\n"}),
         (PYTHON, {"tool/tool/json.py": ""}),
         (PYTHON, {"tool/tool/json/__init__.py": ""}),
         (PYTHON, {"tool/test/__init__.py": "", "tool/setup.py": ""}),
