@@ -21,6 +21,7 @@ from haros_ci.config.settings import PROFILES, Settings
 from haros_ci.hosting import hosted
 from haros_ci.linters import catalogue
 from haros_ci.linters.duplicates import drop_unfounded, merge_same_defects
+from haros_ci.linters.endpoint_macros import notifications as endpoint_macros
 from haros_ci.linters.metrics import keep_worst_band
 from haros_ci.linters.one_cause import one_cause
 from haros_ci.linters.recorded import Testimony
@@ -99,6 +100,7 @@ def analyse(
         changed = changed_settings(workspace, past.workspace if past and past.settings else None)
         changed += seen_otherwise(workspace, past.workspace if past else None)
         changed += used_aside(workspace, past.workspace if past else None)
+        changed += endpoint_macros(workspace, past.workspace if past else None)
         workspace = settled(workspace, settings, base)
         head, old = (None, None) if recorded is None else recorded(workspace, past)
         left = left_out(workspace, settings, base)
