@@ -40,7 +40,10 @@ def notifications(head: Workspace, base: Workspace | None) -> tuple[Notification
     for file in head.files:
         if file.language in ("cpp", "python") and (file.third_party or is_test(file.path)):
             aside.setdefault(file.path.rpartition("/")[2], []).append(file.path)
-    usual = {file.path for file in head.files if not file.third_party and not is_test(file.path)}
+    usual: dict[str, list[str]] = {}
+    for file in head.files if aside else ():
+        if not file.third_party and not is_test(file.path):
+            usual.setdefault(file.path.rpartition("/")[2], []).append(file.path)
     found = []
     for file in head.files if aside else ():
         if file.digest in known or file.third_party or is_test(file.path) or not head.reports_on(file.path):
@@ -82,12 +85,12 @@ def _named(file: SourceFile, text: str) -> Iterator[str]:
                 yield from (normpath(join(dirname(file.path), word)) for word in _SOURCE.findall(words))
 
 
-def _meant(name: str, file: SourceFile, aside: dict[str, list[str]], usual: set[str]) -> list[str]:
+def _meant(name: str, file: SourceFile, aside: dict[str, list[str]], usual: dict[str, list[str]]) -> list[str]:
     """The files of *aside* that *name* in *file* means, where it means none of the *usual* ones."""
     called_so = aside.get(name.rpartition("/")[2], ())
     beside = normpath(join(dirname(file.path), name)) if called_so else ""
     if beside in called_so:
         return [beside]
     found = [path for path in called_so if f"/{path}".endswith(f"/{name}")]
-    is_own = beside in usual or (bool(found) and any(f"/{path}".endswith(f"/{name}") for path in usual))
+    is_own = any(path == beside or f"/{path}".endswith(f"/{name}") for path in usual.get(name.rpartition("/")[2], ()))
     return [] if is_own else found

@@ -9,14 +9,15 @@ from __future__ import annotations
 
 import re
 import sys
-from collections.abc import Collection, Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator
 
 from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Problem, Workspace
 from haros_ci.workspace.cmake_parse import ParsedCommand, parse_cmake
 
-#: Notes of one run.
+#: Notes of one run, and includes that are held against pairs of headers of one name.
 MOST = 20
+_MOST_LOOKS = 500_000
 _HEADERS = (".h", ".hh", ".hpp", ".hxx", ".h++", ".inl", ".ipp", ".tpp", ".txx")
 _INCLUDES = re.compile(r"^[ \t]*(?:#|%:)[ \t]*(?:include|import)[ \t]*([\"<])([^\">\n]{1,300})", re.M)
 _PATHS = frozenset(("include_directories", "target_include_directories"))
@@ -67,16 +68,24 @@ def _headers(
     if not suspects:
         return
     names = {_name(path) for path in suspects}
-    written = {
-        file: found
-        for file in head.files
-        if file.language == "cpp" and (found := _included(head.text(file.path), names))
-    }
+    written: dict[str, list[tuple[SourceFile, str, str]]] = {}
+    for file in head.files:
+        for quote, name in _included(head.text(file.path), names) if file.language == "cpp" else ():
+            written.setdefault(_name(name), []).append((file, quote, name))
     named: set[frozenset[str]] = set()
+    left = _MOST_LOOKS
     for path, file in sorted(suspects.items()):
         for other in every[_name(path)]:
             pair = frozenset((path, other.path))
-            name = "" if other.path == path or pair in named else _both(file, other, written)
+            users = written.get(_name(path), [])
+            left -= len(users) + 1
+            if left < 0:
+                yield Problem(
+                    path,
+                    f"so many headers are called {_name(path)} that it is not looked up which of them takes another's place",
+                )
+                return
+            name = "" if other.path == path or pair in named else _both(file, other, users)
             if name:
                 named.add(pair)
                 yield Problem(
@@ -94,7 +103,7 @@ def _decoys(head: Workspace, base: Workspace, sources: Iterable[SourceFile]) -> 
             continue
         inside = file.path if package.path == "." else file.path.removeprefix(f"{package.path}/")
         others = {dependency.name for dependency in package.dependencies} - {package.name}
-        for name in {inside, inside.removeprefix("src/"), inside.removeprefix("include/")}:
+        for name in dict.fromkeys((inside, inside.removeprefix("src/"), inside.removeprefix("include/"))):
             first, _, rest = name.partition("/")
             if (rest and first in others) or (not rest and name in _OF_C):
                 yield Problem(
@@ -102,18 +111,17 @@ def _decoys(head: Workspace, base: Workspace, sources: Iterable[SourceFile]) -> 
                 )
 
 
-def _both(file: SourceFile, other: SourceFile, written: Mapping[SourceFile, Iterable[tuple[str, str]]]) -> str:
-    """The name by which some file includes one of the two, and may mean either; "" without one."""
-    for user, includes in written.items():
-        for quote, name in includes:
-            is_near = user.package == file.package == other.package
-            if not is_near and ("/" not in name or user.package not in (file.package, other.package)):
-                continue
-            if not all(f"/{one.path}".endswith(f"/{name}") for one in (file, other)):
-                continue
-            beside = f"{user.path.rpartition('/')[0]}/{name}".lstrip("/")
-            if quote == "<" or beside not in (file.path, other.path):
-                return name
+def _both(file: SourceFile, other: SourceFile, users: Iterable[tuple[SourceFile, str, str]]) -> str:
+    """The name by which some file of *users* includes one of the two, and may mean either; "" without one."""
+    for user, quote, name in users:
+        is_near = user.package == file.package == other.package
+        if not is_near and ("/" not in name or user.package not in (file.package, other.package)):
+            continue
+        if not all(f"/{one.path}".endswith(f"/{name}") for one in (file, other)):
+            continue
+        beside = f"{user.path.rpartition('/')[0]}/{name}".lstrip("/")
+        if quote == "<" or beside not in (file.path, other.path):
+            return name
     return ""
 
 

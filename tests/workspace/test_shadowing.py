@@ -159,3 +159,9 @@ TWICE = HEADER | {"arm/first/arm/give.hpp": GIVE}
 )
 def test_quiet(tmp_path: Path, base: dict[str, str], head: dict[str, str]) -> None:
     assert brought(tmp_path, base, head) == []
+
+
+def test_headers_of_one_name_without_number(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("haros_ci.workspace.shadowing._MOST_LOOKS", 1)
+    ((path, message),) = brought(tmp_path, HEADER, {f"arm/first{i}/arm/give.hpp": GIVE for i in range(3)})
+    assert path == "arm/first0/arm/give.hpp" and "so many headers are called give.hpp" in message
