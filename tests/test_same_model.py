@@ -50,6 +50,7 @@ IDLE: dict[str, dict[str, str]] = {
 }
 MORE: dict[str, dict[str, str]] = {
     "a number that is used": with_line("  int more = 1;\n  take(more);"),
+    "a log that names a function": with_line('  RCLCPP_INFO(node->get_logger(), "%p", node->main);'),
     "two numbers": with_line("  int more = 1, others = depth;"),
     "a log of a call": with_line('  RCLCPP_INFO(node->get_logger(), "%d", take(1));'),
     "a log beside a statement": with_line('  take(1); RCLCPP_INFO(node->get_logger(), "x");'),

@@ -15,8 +15,8 @@ _TYPE = re.compile(r"\s*[A-Za-z_][\w:]*(?:[\s*]+[A-Za-z_][\w:]*)*[\s*]+")
 _SIGN = re.compile(r"[()\[\]{};,]")
 
 
-def idle_lines(text: str, program: Program, rest: Program) -> frozenset[int]:
-    """The lines of *text* that statements of its *program* take which *rest*, the same without idle statements, has not; those that share no line with others."""
+def idle_lines(text: str, program: Program, rest: Program) -> dict[int, str]:
+    """The lines of *text*, without comments and what stands in quotes, that statements of its *program* take which *rest*, the same without idle statements, has not; those that share no line with others."""
     lines = blanked(text, "cpp").split("\n")
     found = set[int]()
     for whole, bare in zip(program.functions, rest.functions, strict=True):
@@ -30,7 +30,7 @@ def idle_lines(text: str, program: Program, rest: Program) -> frozenset[int]:
                 found.update(_taken(lines, part.line, part.column, _TYPE))
             elif isinstance(part, syntax.Do) and isinstance(part.value, syntax.Call):
                 found.update(_taken(lines, part.value.line, part.value.column, re.compile(r"\s*")))
-    return frozenset(found)
+    return {number: lines[number - 1].strip() for number in sorted(found)}
 
 
 def _taken(lines: list[str], line: int, column: int, before: re.Pattern[str]) -> range:

@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+import re
+from collections import Counter
 from dataclasses import dataclass, replace
 from functools import cache
 from itertools import pairwise
@@ -12,6 +14,7 @@ from haros_ci.analysis.idle_lines import idle_lines
 from haros_ci.analysis.kept_runs import state
 from haros_ci.coverage.blanked import uncommented
 from haros_ci.index.idle import Idle, idle_in
+from haros_ci.index.mentions import last
 from haros_ci.keeping.moves import Lines, moves
 from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Store, Workspace
@@ -24,6 +27,11 @@ from haros_ci.workspace.build import builds
 CODE = ("cpp", "python")
 #: What tells a program on which line it stands.
 LINE_NUMBERS = ("__LINE__", "source_location", "lineno")
+
+
+#: What is idle in a workspace, and the last parts of the names of its functions and classes.
+Known = tuple[Idle, frozenset[str]]
+_WORD = re.compile(r"\w+")
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,8 +59,11 @@ def moved_lines(base: Base, workspace: Workspace, store: Store) -> Moved | None:
         return None
 
     @cache
-    def idle() -> Idle:
-        return idle_in(programs(base.workspace, builds(base.workspace), store, []))
+    def known() -> Known:
+        sources = programs(base.workspace, builds(base.workspace), store, [])
+        functions = {last(item.name) for source in sources for item in source.program.functions}
+        classes = {last(item.name) for source in sources for item in source.program.classes}
+        return idle_in(sources), frozenset(functions | classes)
 
     found: dict[str, Lines] = {}
     is_all = True
@@ -65,7 +76,7 @@ def moved_lines(base: Base, workspace: Workspace, store: Store) -> Moved | None:
         lines = _same_text(_lines_of(texts[0], language), _lines_of(texts[1], language))
         if lines is None and old is not None and new is not None and language == "cpp":
             is_all = False
-            lines, old, new = _same_but_idle(texts, old, new, idle())
+            lines, old, new = _same_but_idle(texts, old, new, known())
         if lines is None or not _only_moved(old, new):
             return None
         if any(was != now for was, now in lines.items()):
@@ -90,15 +101,23 @@ def _same_text(old: Written, new: Written) -> Lines | None:
 
 
 def _same_but_idle(
-    texts: tuple[str, str], old: Program, new: Program, idle: Idle
+    texts: tuple[str, str], old: Program, new: Program, known: Known
 ) -> tuple[Lines | None, Program, Program]:
-    """The new line of each old one that has more than idle statements; None if these are not the same. And the programs without them."""
-    sides = []
+    """The new line of each old one that has more than idle statements; None if these are not the same. And the programs without them.
+
+    Nor are they if what is added or gone has the name of a function or class: texts are asked who is named in them.
+    """
+    idle, names = known
+    sides: list[Written] = []
+    idle_ones: list[Counter[str]] = []
     bare = idle.program(old), idle.program(new)
     for text, program, rest in zip(texts, (old, new), bare, strict=True):
         gone = idle_lines(text, program, rest)
         sides.append([(number, line) for number, line in _lines_of(text, "cpp") if number not in gone])
-    return _same_text(*sides), *bare
+        idle_ones.append(Counter(gone.values()))
+    others = (idle_ones[0] - idle_ones[1]) + (idle_ones[1] - idle_ones[0])
+    is_named = any(not names.isdisjoint(_WORD.findall(line)) for line in others)
+    return None if is_named else _same_text(*sides), *bare
 
 
 def _lines_of(text: str, language: str) -> list[tuple[int, str]]:
