@@ -334,6 +334,36 @@ def test_without_an_edit_nothing_is_followed(ros: int | None, followed: list[str
     assert again(files, files, followed, ros) == ([], False)
 
 
+SCRIPT_2, LAUNCHED = "p/scripts/n.py", "p/launch/m.launch.py"
+IMPORTS: Files = {
+    "p/CMakeLists.txt": ROS2_CMAKE.format("p")
+    + "install(PROGRAMS scripts/n.py DESTINATION lib/${PROJECT_NAME})\nament_auto_package(INSTALL_TO_SHARE launch)\n",
+    SCRIPT_2: "#!/usr/bin/env python3\nimport rclpy\nfrom rclpy.node import Node\nfrom std_msgs.msg import String\n"
+    "class N(Node):\n    def __init__(self):\n        super().__init__('n')\n        self.create_publisher(String, 't', 1)\n"
+    "def main():\n    rclpy.init()\n    rclpy.spin(N())\nmain()\n",
+    LAUNCHED: "from launch import LaunchDescription\nfrom launch_ros.actions import Node\n\n"
+    "def generate_launch_description():\n    return LaunchDescription([Node(package='p', executable='n.py', name='a')])\n",
+}
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "is_other", "expected"),
+    (
+        ("name='a'", "name='b'", True, []),
+        ("import LaunchDescription", "import LaunchDescription  # and more", False, []),
+        ("'a')])", "'a')])\n\ndef other():\n    return 1", False, []),
+        ("import Node\n", "import Node\n\n\n", True, []),  # what stands below has other lines
+        ("import Node\n", "import Node, PushRosNamespace\n", False, []),
+        ("from launch_ros.actions", "from launch_ros", True, [SCRIPT_2]),  # another thing of that name
+        ("import Node\n", "import Node\n\nclass N: pass\n", True, [SCRIPT_2]),
+    ),
+)
+def test_imports_in_other_files(old: str, new: str, is_other: bool, expected: list[str], followed: list[str]) -> None:
+    """Who imports the same name elsewhere is not concerned by what else is there."""
+    calls, is_changed = again(IMPORTS, edited(IMPORTS, LAUNCHED, old, new), followed, 2)
+    assert (is_changed, sorted(set(calls))) == (is_other, expected)
+
+
 def test_classes_of_libraries(followed: list[str]) -> None:
     header, user = "p/include/p/tool.hpp", "p/src/u.cpp"
     files = {
