@@ -243,7 +243,13 @@ def _finding(
     whose = f"{first.node} and {second.node}" if first.node is not second.node else f"two places of {first.node}"
     more = f" and {len(found) - 1} more" if len(found) > 1 else ""
     namespaces = "give it a relative name and start them in" if _is_absolute(second, system) else "start them in"
-    advice = f"; remap it for one of them, or {namespaces} different namespaces" if is_twice else ""
+    advice = f"; remap it for one of them, or {namespaces} different namespaces"
+    if not is_twice:
+        advice = (
+            "; give one of them another name, or start one of them alone"
+            if first.node is not second.node
+            else "; keep one of them"
+        )
     return Finding(
         at=second.node.location if is_twice else named_at(second),
         message=f"{whose} offer the {channel.kind} {channel}{more}: {effect}{advice}",

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from haros_ci.api import Check, Finding, Level, Location, Project, syntax
 from haros_ci.api.code import Codebase, Routine, attribute_values, calls_of, owner_of, weighed
-from haros_ci.api.interfaces import WrongValue, wrong_values
+from haros_ci.api.interfaces import WrongValue, unnamed_values, wrong_values
 
 #: What is published as it is.
 _PUBLISHED: dict[type[syntax.Node], str] = {
@@ -32,6 +32,15 @@ def _found(project: Project) -> Iterator[Finding]:
             about=(wrong_value.routine.title, wrong_value.written),
             apart=(wrong_value.routine.title, wrong_value.written),
             level=Level.WARNING if wrong_value.ros == 1 else None,
+        )
+    for unnamed in unnamed_values(project):
+        some = ", ".join(f"{field}=..." for field in unnamed.fields[: min(unnamed.count, 3)])
+        yield Finding(
+            at=unnamed.location,
+            message=f"{unnamed.maker}() is given {'a value' if unnamed.count == 1 else f'{unnamed.count} values'} without a name: classes of "
+            f"messages take fields by name alone in ROS 2, and the line raises TypeError; write {unnamed.maker}({some})",
+            about=(unnamed.routine.title, f"{unnamed.maker}("),
+            apart=(unnamed.routine.title, f"{unnamed.maker}("),
         )
     yield from _published(project.code)
 

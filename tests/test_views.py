@@ -3,13 +3,19 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
 from haros_ci.analysis.architecture import varied
 from haros_ci.analysis.coverage import coverage_of
+from haros_ci.analysis.views import in_views
 from haros_ci.config.settings import Settings
+from haros_ci.model.location import Location
+from haros_ci.results.own import TOOL
+from haros_ci.results.result import Result, Run, Tool
+from haros_ci.results.rule import Level
 from haros_ci.workspace.cache import MemoryCache
 from haros_ci.workspace.discover import discover
 from haros_ci.workspace.views import views
@@ -129,6 +135,59 @@ def test_each_view_has_the_findings_of_its_own_packages(tmp_path: Path) -> None:
     one, two = views(discover(tmp_path, (".",)))
     assert [one.holds(path) for path in ("a/package.xml", "b/package.xml", "x.launch")] == [True, False, True]
     assert [two.holds(path) for path in ("a/package.xml", "b/package.xml", "x.launch")] == [False, True, True]
+
+
+@pytest.mark.parametrize(
+    ("packages", "path", "message", "expected"),
+    [
+        (("robot/src/foo", "server/src/foo"), "server/src/user/a.py", "foo defines no X", True),
+        (("robot/src/foo", "server/src/foo"), "server/launch/a.launch", "package foo builds no program", True),
+        (("robot/src/foo", "server/src/foo"), "server/src/user/a.py", "foo/Map has no field x", True),
+        (("robot/src/foo", "server/src/foo", "web/src/foo"), "web/src/user/a.py", "foo defines no X", True),
+        (("robot/src/foo", "server/src/foo"), "robot/src/user/a.py", "foo defines no X", False),
+        (("robot/src/foo", "server/src/foo"), "tools/a.py", "foo defines no X", False),
+        (("robot/src/foo", "server/src/foo"), "server/src/user/a.py", "foo_msgs defines no X", False),
+        (("robot/src/foo", "server/src/foo"), "server/src/user/a.py", "a-foo defines no X", False),
+        (("robot/src/foo", "server/src/foo"), "server/src/user/a.py", "bar defines no X", False),
+        (("robot/src/foo", "robot/src/old/foo"), "robot/src/user/a.py", "foo defines no X", False),
+        (("robot/src/foo",), "server/src/user/a.py", "foo defines no X", False),
+    ],
+)
+def test_a_package_that_is_nearer_and_does_not_count(
+    tmp_path: Path, packages: tuple[str, ...], path: str, message: str, expected: bool
+) -> None:
+    plant(tmp_path, *((package, "ament") for package in packages))
+    (view,) = views(discover(tmp_path, (".",)))
+    assert view.is_nearer_another(path, message) == expected
+
+
+def test_what_a_change_brings_hides_nothing(tmp_path: Path) -> None:
+    plant(tmp_path, ("robot/src/foo", "ament"), ("server/src/foo", "ament"))
+    workspace = discover(tmp_path, (".",))
+    workspace = replace(workspace, hiding=replace(workspace.hiding, later=frozenset({"server/src/foo"})))
+    (view,) = views(workspace)
+    assert not view.is_nearer_another("server/src/user/a.py", "foo defines no X")
+
+
+def test_the_other_version_of_ros_has_a_view_of_its_own(tmp_path: Path) -> None:
+    plant(tmp_path, ("robot/src/foo", "catkin"), ("server/src/foo", "ament"))
+    for view in views(discover(tmp_path, (".",))):
+        assert not view.is_nearer_another("server/src/user/a.py", "foo defines no X")
+
+
+@pytest.mark.parametrize(
+    ("rule", "path", "kept"),
+    [
+        ("undefined-interface", "server/src/user/a.py", False),
+        ("undefined-interface", "robot/src/user/a.py", True),
+        ("undeclared-import", "server/src/user/package.xml", True),
+    ],
+)
+def test_findings_on_the_neighbour(tmp_path: Path, rule: str, path: str, kept: bool) -> None:
+    plant(tmp_path, ("robot/src/foo", "ament"), ("server/src/foo", "ament"))
+    run = Run(Tool(TOOL), results=(Result(TOOL, rule, Level.ERROR, "foo defines no X", Location(path, 1)),))
+    seen = in_views(run, discover(tmp_path, (".",)), None, lambda view: run)
+    assert seen.results == (run.results if kept else ())
 
 
 def test_calls_of_both_are_counted(tmp_path: Path) -> None:

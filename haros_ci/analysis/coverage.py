@@ -80,9 +80,9 @@ def too_little(found: Coverage) -> tuple[str, ...]:
     if counts.share is None or counts.share >= ENOUGH:
         return ()
     return (
-        f"{counts.accounted:,} of {counts.sites:,} calls of ROS APIs in production code ({int(counts.share * 100)}%) are understood: the topics, "
-        "services and parameters of the rest are unknown, and mistakes in them are not found; "
-        "haros-ci model --coverage lists these calls with the reasons",
+        f"{counts.accounted:,} of {counts.sites:,} calls of ROS APIs in production code ({int(counts.share * 100)}%) are understood: mistakes in "
+        f"topics, services and parameters at the other {counts.sites - counts.accounted:,} are not found, so that no finding does not mean that they are right; "
+        "manifests, builds and what linters see do not depend on it; haros-ci model --coverage lists these calls with the reasons",
     )
 
 

@@ -26,6 +26,23 @@ _PAGE = re.compile(
     r"<url\b[^<>]{0,100}>\s*https?://(?:www\.)?(?:wiki\.ros\.org|ros\.org/wiki|index\.ros\.org/p|github\.com/[\w.-]{1,100})/"
     r"([\w-]{1,100})(?:\.git)?(?:/issues|/wiki)?/?\s*<"
 )
+#: Packages that many workspaces copy and that no distribution has, as makers publish their drivers: how they are called, and who is named in their manifests.
+#: Both must fit: a name alone is anybody's.
+_MAKERS = tuple(
+    (re.compile(name), re.compile(people))
+    for name, people in (
+        (r"rplidar_ros2?|sllidar_ros2", r"@slamtec\.com"),
+        (r"livox_(?:ros2?_driver2?|interfaces\d?)", r"@livoxtech\.com"),
+        (r"lslidar_(?:driver|msgs)", r"@lslidar\.com|tongsky723@sina\.com|yutongyan@lidar\.com"),
+        (r"rslidar(?:_sdk|_msgs?|_driver|_pointcloud)?", r"@robosense\.cn"),
+        (r"ydlidar_ros2?_driver", r"@ydlidar\.com"),
+        (r"nvilidar_ros2?", r"@nvistar\.com"),
+        (r"(?:astra_camera|orbbec_camera|orbbec_description)(?:_msgs)?", r"@orbbec\.com|jian\.dong@pobox\.com"),
+        (r"rf2o_laser_odometry", r"jgmonroy@uma\.es"),
+        (r"kiss_icp", r"ignaciovizzo@gmail\.com"),
+        (r"lio_sam", r"shant@mit\.edu"),
+    )
+)
 #: What templates put in the place of a name or an address.
 _NOBODY = re.compile(
     r"to-?do|example\.|jane doe|\byou(?:r|@)|^(?:user|root|ubuntu|ros|pi|robot|admin|maintainer)\b|localhost",
@@ -65,7 +82,7 @@ def quiet(workspace: Workspace, settings: Settings) -> Workspace:
 def copies(workspace: Workspace) -> frozenset[str]:
     """The outermost directories in which all packages are copies of public ones.
 
-    A package is one if a distribution has its name, or that of the page or repository that it names, or it lies in an archive that was
+    A package is one if a distribution has its name, or that of the page or repository that it names, or it is a driver that its maker publishes, or it lies in an archive that was
     downloaded, or it was never released and stands beside one that is in all else its like; and if it names people, none of whom any other package names; outside of archives its name may not begin as one of those either. With nothing of its own a workspace is the original.
     """
     candidates = [package for package in workspace.packages if _may_be_public(package, workspace)]
@@ -88,13 +105,19 @@ def _is_foreign(package: Package, people: frozenset[str], words: set[str], works
 def _may_be_public(package: Package, workspace: Workspace) -> bool:
     if package.path == ".":
         return False
-    if _is_archived(package.path):
+    if _is_archived(package.path) or _is_of_a_maker(package, workspace):
         return True
     is_package = knowledge().is_package
     return package.version not in _UNRELEASED and (
         is_package(package.name) is True
         or any(is_package(name) is True for name in _PAGE.findall(_manifest(package, workspace)))
     )
+
+
+def _is_of_a_maker(package: Package, workspace: Workspace) -> bool:
+    people = next((pattern for name, pattern in _MAKERS if name.fullmatch(package.name)), None)
+    named = _PERSON.findall(_manifest(package, workspace)) if people is not None else []
+    return people is not None and any(people.search(attributes.lower()) for attributes, _ in named)
 
 
 def _is_of_a_stack(package: Package, public: Iterable[Package], workspace: Workspace) -> bool:

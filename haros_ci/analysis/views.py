@@ -8,6 +8,7 @@ from dataclasses import replace
 
 from haros_ci.model.architecture import Configuration
 from haros_ci.model.workspace import Problem, Workspace
+from haros_ci.results.own import TOOL
 from haros_ci.results.result import Notification, Result, Run
 from haros_ci.systems.link import Linked, Requested
 from haros_ci.workspace.views import View, views
@@ -52,12 +53,21 @@ def joined(workspace: Workspace, parts: Sequence[View], made: Sequence[Linked], 
     return Linked(whole, under, builds, tuple(sources[path] for path in sorted(sources)), tuple(ones))
 
 
+#: Rules on what another package has, or has not.
+OF_OTHERS = frozenset(
+    """
+    mesh-not-loaded missing-launch-file parameter-file-missing parameter-not-declared parameter-type-mismatch share-file-missing
+    undefined-field undefined-interface unknown-executable unset-launch-argument wrong-field-value
+    """.split()
+)
+
+
 def in_views(run: Run, workspace: Workspace, project_file: str | None, look: Callable[[View], Run]) -> Run:
     """What *look* adds to *run* in the views of *workspace*, each finding once and from the version of ROS that its package is of."""
     parts = views(workspace)
-    if len(parts) == 1:
-        return look(parts[0])
-    runs = [look(view) for view in parts]
+    runs = [_of_neighbours(view, look(view)) for view in parts]
+    if len(runs) == 1:
+        return runs[0]
     results = {repr(result): result for view, one in zip(parts, runs, strict=True) for result in _held(view, one)}
     notes = dict.fromkeys(note for one in runs for note in one.notifications)
     notes = {n: None for n in notes if _is_of_all(n, project_file, runs)}
@@ -70,6 +80,16 @@ def in_views(run: Run, workspace: Workspace, project_file: str | None, look: Cal
         successful=all(one.successful for one in runs),
         changes=next((one.changes for one in runs if one.changes), runs[0].changes),
     )
+
+
+def _of_neighbours(view: View, run: Run) -> Run:
+    """*run* without what OF_OTHERS say of a package of which the one that lies nearer is not in the view."""
+    kept = tuple(
+        one
+        for one in run.results
+        if one.tool != TOOL or one.rule not in OF_OTHERS or not view.is_nearer_another(one.location.path, one.message)
+    )
+    return run if len(kept) == len(run.results) else replace(run, results=kept)
 
 
 def _held(view: View, run: Run) -> Iterator[Result]:

@@ -9,6 +9,7 @@ from haros_ci.checking.field_values import WrongValue, wrong_values
 from haros_ci.checking.interface_users import InterfaceUsers, always_at, changes_of, defined_in
 from haros_ci.checking.message_fields import Missing as MissingField
 from haros_ci.checking.message_fields import missing_fields
+from haros_ci.checking.unnamed_values import UnnamedValues, unnamed_values
 from haros_ci.interfaces.references import Reference as InterfaceReference
 from haros_ci.interfaces.references import of_include, references_to
 
@@ -17,6 +18,7 @@ __all__ = [
     "InterfaceReference",
     "InterfaceUsers",
     "MissingField",
+    "UnnamedValues",
     "WrongValue",
     "always_at",
     "change_in_words",
@@ -26,5 +28,6 @@ __all__ = [
     "missing_fields",
     "of_include",
     "references_to",
+    "unnamed_values",
     "wrong_values",
 ]

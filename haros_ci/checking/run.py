@@ -12,6 +12,7 @@ from haros_ci.checking.patience import Overrun, Patience
 from haros_ci.checking.project import Project
 from haros_ci.checking.set_aside import lowered
 from haros_ci.checking.system import Channel, End, System, SystemNode
+from haros_ci.checking.unrun_cmake import of_what_is_run
 from haros_ci.model.location import Location
 from haros_ci.model.presence import assignment, in_words, together
 from haros_ci.model.workspace import Workspace
@@ -126,12 +127,13 @@ def run_on_project(
     budget = budget or Patience()
     if unseen is None:
         unseen = markers(project.workspace, project.base.workspace if project.base is not None else None)
+    left = of_what_is_run(project)
     for check in checks:
         if check.project is None:
             continue
         try:
             with stage(CHECKS, check.id), budget.with_(check.id):
-                for finding in check.project(project):
+                for finding in left(check.tags, check.project(project)):
                     if unseen and _OF_BUILDS.intersection(check.tags):
                         finding = _of_no_build(finding, unseen)
                     checked = _ConfirmedFinding(check, _mendable(finding, project.text), None, ())

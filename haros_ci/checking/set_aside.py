@@ -16,17 +16,27 @@ _ARCHIVES = frozenset(
 )
 #: What file managers call a copy: ``Copy of drive.launch``, ``drive (copy).launch``, ``drive (2).launch``.
 _COPY = re.compile(r"(?:copy of .+|[^.]+ ?\((?:copy|\d{1,3})\).*|[^.]+[ _-]+copy(?:[ _-]?\d{1,3})?\..+)", re.IGNORECASE)
+#: A version that somebody has kept beside ``drive.launch.py``: ``drive_old.launch.py``, ``drive.launch.backup2.py``, ``old_drive.launch.py``.
+_WORDS = "backup|bak|deprecated|obsolete|old|orig|original|unused"
+_KEPT = re.compile(
+    rf"(?P<stem>[^.]+(?:\.launch)?)[._ -](?:{_WORDS})\d{{0,8}}(?:[_-]\w{{1,60}})?(?:\.launch)?\.(?:launch|py|xml|ya?ml)"
+    rf"|(?:{_WORDS})[_-](?P<whole>.+)",
+    re.IGNORECASE,
+)
 #: Files whose text may start or include a launch file.
+_ENDINGS = (".launch", ".launch.py", ".launch.xml", ".launch.yaml", ".py", ".xml", ".yaml")
 _NAMING = (".launch", ".py", ".xml", ".yaml", ".yml", ".md", ".rst", ".txt", ".sh", ".bash", ".service")
 
 
 def lowered(finding: Finding, workspace: Workspace | None) -> Finding:
-    """*finding* as a note where it is in a launch file that lies in a directory such as ``deprecated``, or is a copy by its name, and that no file names.
+    """*finding* as a note where it is in a launch file that lies in a directory such as ``deprecated``, or is a copy or a former version by its name, and that no file names.
 
     Files in such a directory do not count.
     """
     path = finding.at.path
-    if workspace is None or finding.level is Level.NOTE or not _is_archived(path) or "launch" not in path:
+    if workspace is None or finding.level is Level.NOTE or "launch" not in path:
+        return finding
+    if not _is_archived(path) and not _is_former(path, workspace):
         return finding
     if _is_named(path, workspace):
         return finding
@@ -38,6 +48,18 @@ def lowered(finding: Finding, workspace: Workspace | None) -> Finding:
 def _is_archived(path: str) -> bool:
     *folders, name = path.split("/")
     return any(part.lower() in _ARCHIVES for part in folders) or _COPY.fullmatch(name) is not None
+
+
+def _is_former(path: str, workspace: Workspace) -> bool:
+    """Whether the file is a former version, by its name, of one beside it."""
+    folder, _, name = path.rpartition("/")
+    found = _KEPT.fullmatch(name)
+    if found is None:
+        return False
+    start = f"{folder}/" if folder else ""
+    if found["whole"]:
+        return f"{start}{found['whole']}" in workspace.names
+    return any(f"{start}{found['stem']}{end}" in workspace.names for end in _ENDINGS)
 
 
 def _is_named(path: str, workspace: Workspace) -> bool:

@@ -11,7 +11,7 @@ from haros_ci.follow import call_arguments, lookup, methods, partials, thrown
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.ros import qos_profiles
 from haros_ci.follow.walk import Walk
-from haros_ci.index.index import Source
+from haros_ci.index.index import Index, Source
 from haros_ci.index.mentions import last
 from haros_ci.syntax import Function, Type
 from haros_ci.syntax.walk import Part, everything
@@ -156,20 +156,22 @@ def _pointers(walk: Walk, names: frozenset[str]) -> Pointers:
 
     They are no constants themselves: for each its file, qualified name, initialiser and type.
     """
-    key = ("pointers",)
-    if key not in walk.found:
-        walk.found[key] = _all_pointers(walk)
-    every: Pointers = walk.found[key]
-    found = {name: every[name] for name in names & every.keys()}
-    trace = walk.index.trace
-    if trace is not None:
-        trace.names |= names
-        trace.paths.update(where.path for item in found.values() for where, _, _, _ in item)
-    return found
+    key = ("pointers", names)
+    known: Pointers | None = walk.found.get(key)
+    if known is None:
+        shared = walk.index.caches.setdefault("pointers", {})  # by all node types of the workspace
+        if not shared:
+            shared["all"] = _all_pointers(walk.index)
+        every: Pointers = shared["all"]
+        known = walk.found[key] = {name: every[name] for name in sorted(every.keys() & names)}
+        trace = walk.index.trace
+        if trace is not None:
+            trace.names |= names
+            trace.paths.update(where.path for item in known.values() for where, _, _, _ in item)
+    return known
 
 
-def _all_pointers(walk: Walk) -> Pointers:
-    index = walk.index
+def _all_pointers(index: Index) -> Pointers:
     variables = [(where, v.name, v) for item in dict.values(index.variables) for where, v in item]
     for item in dict.values(index.classes):
         variables += [(where, f"{c.name}::{f.name}", f) for where, c in item for f in c.fields if f.is_static]
@@ -242,9 +244,7 @@ def skipped(  # noqa: C901 - one branch for each place that a function can chang
         if isinstance(this, Object):
             _forget_members(walk, this, changed, unknown, 0)
     if function.source.separator == "::":
-        for _, pointers in sorted(
-            _pointers(walk, changed).items()
-        ):  # those that are used later begin with what they are now
+        for pointers in _pointers(walk, changed).values():  # those that are used later begin with what they are now
             for pointer in pointers:
                 lookup.global_cell(walk, *pointer)
     for (_, name), cell in walk.globals.items():

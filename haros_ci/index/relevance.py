@@ -3,10 +3,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from copy import copy
+from sys import intern
 
 from haros_ci.index.api_names import api_names, called_back
+from haros_ci.index.changed_names import ChangedNames, NameSets
 from haros_ci.index.index import Index, Source
 from haros_ci.index.mentions import (
     CALL,
@@ -29,7 +31,6 @@ from haros_ci.index.mentions import (
     overriding,
     properties,
     shared,
-    targets,
     type_names,
 )
 from haros_ci.model.api import Row
@@ -64,8 +65,9 @@ class Relevance:
         self._known: dict[str, bool] = {}
         #: The files whose functions and classes count; None for all.
         self._visible: frozenset[str] | None = None
-        self._meant: dict[str, list[tuple[Source, Function | Class]]] = {}
-        self._changes: dict[int, tuple[Function, frozenset[str], set[str]]] = {}
+        self._meant: dict[str, tuple[tuple[Source, Function | Class], ...]] = {}
+        self._sets = NameSets()
+        self._changed = ChangedNames(index, self._sets, self._named, self.names)
         self._variables: dict[int, tuple[Function, frozenset[str]]] = {}
         self._makes: dict[int, tuple[Function, bool]] = {}
         self._within: dict[frozenset[str], Relevance] = {}
@@ -76,7 +78,6 @@ class Relevance:
         self._rest: dict[int, tuple[Block | None, Block | None]] = {}
         self._views: dict[frozenset[int], Relevance] = {}
         self.shared = shared(index)
-        self._targets: dict[int, tuple[Part, frozenset[str]]] = {}
         #: The names of members that hold, or may hold, a function; and how calls of them look.
         self.holding = holding(index)
         self._function_types = function_types(index)
@@ -90,8 +91,9 @@ class Relevance:
         view = self._within.get(visible)
         if view is None:
             view = self._within[visible] = copy(self)
-            view._known, view._changes, view._makes, view._meant, view._views = {}, {}, {}, {}, {}
+            view._known, view._makes, view._meant, view._views = {}, {}, {}, {}
             view._visible, view._within, view._barren = visible, {}, set()
+            view._changed = ChangedNames(self._index, self._sets, view._named, view.names)
         return view
 
     def after(self, statement: Statement, function: Function) -> Relevance:
@@ -182,7 +184,7 @@ class Relevance:
             found.update(self._read(found, mentioned, source), given)
             if not self._registering.isdisjoint(found):
                 found |= mentioned  # any of them may be what is called back
-            known = self._blocks[key] = (block, frozenset(found))
+            known = self._blocks[key] = (block, self._sets.one(map(intern, found)))
         return known[1]
 
     def _read(self, found: set[str], mentioned: set[str], source: Source) -> Iterable[str]:
@@ -222,32 +224,7 @@ class Relevance:
 
     def changes(self, function: Function, source: Source) -> frozenset[str]:
         """The names that a function, or anything that it calls, assigns to."""
-        trace = self._index.trace
-        if id(function) in self._changes:
-            _, known, names = self._changes[id(function)]
-            if trace is not None and trace.effects.get(id(function), (None, None, None))[2] is not known:
-                trace.names |= names
-                trace.effects[id(function)] = (source, function, known)
-            return known
-        result, reached = frozenset[str](), set[str]()
-        if function.body is not None:
-            assigned = set(self._assigned(function.body))
-            waiting = list(self.names(function.body, source))
-            while waiting:
-                name = waiting.pop()
-                if name in reached:
-                    continue
-                reached.add(name)
-                for where, item in self._named(name):
-                    if isinstance(item, Function) and item.body is not None:
-                        assigned |= self._assigned(item.body)
-                        waiting.extend(self.names(item.body, where))
-            result = frozenset(assigned)
-        self._changes[id(function)] = (function, result, reached)
-        if trace is not None:
-            trace.names |= reached
-            trace.effects[id(function)] = (source, function, result)
-        return result
+        return self._changed.of(function, source)
 
     def calls_of(self, function: Function, source: Source) -> frozenset[str]:
         """The names of all that a function of *source* calls, its initialisers included."""
@@ -256,7 +233,7 @@ class Relevance:
 
     def assigned_in(self, function: Function) -> frozenset[str]:
         """The names that a function assigns to by itself."""
-        return self._assigned(function.body) if function.body is not None else frozenset()
+        return self._sets.assigned(function.body) if function.body is not None else frozenset()
 
     def called(self, name: str) -> bool:
         """Whether a call of this spelling, as ``calls_of`` has it, may make something."""
@@ -287,14 +264,6 @@ class Relevance:
         sets = (self._api, self._registering, self.shared, self.holding, self._function_types, self._functors)
         return tuple(tuple(sorted(group)) for group in (*sets, self._functor_members, self._properties))
 
-    def _assigned(self, block: Part) -> frozenset[str]:
-        known = self._targets.get(id(block))
-        if known is None:
-            found: set[str] = set()
-            targets(block, found)
-            known = self._targets[id(block)] = (block, frozenset(found))
-        return known[1]
-
     def _name_matters(self, name: str) -> bool:
         known = self._known.get(name)
         if known is not None:
@@ -320,16 +289,16 @@ class Relevance:
             self._known.update(dict.fromkeys(reached, False))
         return result
 
-    def _named(self, name: str, theirs: frozenset[str] = CONTAINERS) -> list[tuple[Source, Function | Class]]:
+    def _named(self, name: str, theirs: frozenset[str] = CONTAINERS) -> Sequence[tuple[Source, Function | Class]]:
         """What a name may mean; a method of containers and pointers (``.size``) that is one of *theirs* means that, and in C++ any of these."""
         if name.startswith(".") and name[1:] in CONTAINERS:
-            return [] if name[1:] in theirs else [item for item in self._named(name[1:]) if item[0].separator == "."]
+            return () if name[1:] in theirs else [item for item in self._named(name[1:]) if item[0].separator == "."]
         found = self._by_name.get(name.removeprefix("."), [])
         if self._visible is None or not found:
             return found
         known = self._meant.get(name)
         if known is None:
-            known = self._meant[name] = [item for item in found if item[0].path in self._visible]
+            known = self._meant[name] = tuple(item for item in found if item[0].path in self._visible)
         return known
 
     def _of(self, source: Source, item: Function | Class) -> Iterable[str]:

@@ -25,6 +25,8 @@ from haros_ci.results.scope import scopes
 #: A literal of the user's own that takes a default, as pybind11's arguments do: ``"steps"_a = false``.
 _NAMED_ARGUMENT = re.compile(r"\"_[A-Za-z]\w*[ \t]*=(?!=)")
 _OF_LITERALS = frozenset({"assignBoolToPointer", "selfAssignment", "AssignmentIntegerToAddress", "stringLiteralWrite"})
+#: An assertion that says why: ``assert(ok && "no solution" && __LINE__)``; cppcheck knows that of two parts alone.
+_SAID = re.compile(r"\b\w*(?:assert|ASSERT|Assert|CHECK|REQUIRE|EXPECT)\w*[ \t]*\(.*&&[ \t]*\"")
 #: ``Same expression on both sides of '-'``.
 _BOTH_SIDES = re.compile(r"both sides of '([^'\s]{1,3})'")
 _LONGEST = 2000
@@ -109,6 +111,8 @@ def is_refuted(rule: str, message: str, line: int, text: str) -> bool:  # noqa: 
     if rule == "uninitdata" and is_given_back(message, _line(text, line)):
         return True
     if rule == "autoVariables" and is_array_that_is_copied(line, text):
+        return True
+    if rule == "incorrectStringBooleanError" and _SAID.search(_line(text, line)) is not None:
         return True
     if rule in _OF_LITERALS:
         is_case = rule == "selfAssignment" and sets_nothing(message, line, text)

@@ -21,6 +21,7 @@ from haros_ci.linters.pylint_idioms import (
 )
 from haros_ci.linters.pylint_statements import (
     gives_names,
+    is_counted_up,
     is_index_of_array,
     is_of_another,
     is_one_text,
@@ -133,7 +134,7 @@ def is_refuted(rule: str, line: int, column: int, text: str) -> bool:  # noqa: C
     if rule == "self-assigning-variable":
         return is_one_of_several(text, line)
     if rule in ("undefined-variable", "used-before-assignment"):
-        return _is_global_of_main(text, line, column)
+        return is_counted_up(text, line) or _is_global_of_main(text, line, column)
     if rule == "possibly-used-before-assignment":
         return _is_of_main(text, line, column) or _is_module(text, line, column) or _is_of_platforms(text, line, column)
     if rule == "no-self-argument":

@@ -12,6 +12,7 @@ from typing import TypeGuard
 
 from haros_ci.linters.pylint_idioms import nodes
 
+_SCOPES = (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)
 _NAN = re.compile(r"\bnan\b", re.IGNORECASE)
 #: A field of ``str.format``; two braces are one of the text.
 _FIELD = re.compile(r"(?<!\{)(?:\{\{)*\{(?!\{)")
@@ -30,6 +31,35 @@ def gives_names(text: str) -> bool:
         ):
             return True
     return False
+
+
+def is_counted_up(text: str, line: int) -> bool:
+    """Whether a name is changed there (``total += 1``) that a loop above it, of the same function, sets.
+
+    Pylint takes it for undefined if the loop sets it under a condition, and says nothing of the same name where it is read.
+    """
+    found = [node for node in nodes(text) if isinstance(node, ast.AugAssign) and node.lineno == line]
+    if len(found) != 1 or not isinstance(found[0].target, ast.Name):
+        return False
+    name, scopes_of_all = found[0].target.id, [node for node in nodes(text) if isinstance(node, _SCOPES)]
+    around = [scope for scope in scopes_of_all if scope.lineno <= line <= (scope.end_lineno or 0)]
+    scope = max(around, key=lambda scope: scope.lineno, default=next(iter(nodes(text))))
+    return any(
+        isinstance(inner, ast.Name) and inner.id == name and isinstance(inner.ctx, ast.Store)
+        for loop in _own(scope)
+        if isinstance(loop, ast.For | ast.While) and (loop.end_lineno or line) < line
+        for inner in _own(loop)
+    )
+
+
+def _own(scope: ast.AST) -> Iterator[ast.AST]:
+    """What is in *scope*, and in no function or class in it."""
+    waiting = [*ast.iter_child_nodes(scope)]
+    while waiting:
+        node = waiting.pop()
+        if not isinstance(node, _SCOPES):
+            yield node
+            waiting += ast.iter_child_nodes(node)
 
 
 def is_text(text: str, line: int) -> bool:

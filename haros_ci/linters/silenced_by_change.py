@@ -115,7 +115,7 @@ CHANGE: tuple[tuple[tuple[str, ...], str, str], ...] = (
     ),
     (
         (
-            "directories called `deprecated`, `temp` …, launch files `Copy of …`, and launch files, pages and scripts outside of them that name a launch file",
+            "directories called `deprecated`, `temp` …, launch files `Copy of …` or `drive_old.launch` beside `drive.launch`, and launch files, pages and scripts outside of them that name a launch file",
         ),
         "what is found in launching a launch file there that nothing outside names is a note",
         "tests/checking/test_set_aside.py::test_in_an_archive",

@@ -65,6 +65,10 @@ class Problem:
     is_certain: bool = True
 
 
+#: The problem of a file that is read all the same.
+LATIN_1 = "not UTF-8; decoded as Latin-1. Save it as UTF-8"
+
+
 @dataclass(frozen=True, slots=True)
 class FirstUse:
     """A file that is as the base revision has it, at *origins*, and that changed files use as code, perhaps for the first time; the *problem* says how.

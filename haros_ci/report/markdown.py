@@ -31,6 +31,8 @@ def render(report: Report, *, limit: int = MAX_COMMENT, blob: str = "") -> str:
     """
     counts = summary.count(report)
     head = [f"## haros-ci: {summary.headline(report, counts)}", "", summary.verdict(report, counts)]
+    if stood_for := summary.stood_for(report):
+        head.append(stood_for)
     if known := summary.known(counts):
         head.append(f"Also {known}.")
     if metrics := summary.metrics(report):

@@ -91,6 +91,17 @@ def headline(report: Report, counts: ResultCounts) -> str:
     return f"{plural(counts.open, f'{new}finding')}: {', '.join(levels)}{but}"
 
 
+def stood_for(report: Report) -> str:
+    """How many findings are left to others in what people read, so that formats for programs have more of them, else ""."""
+    shown = report.shown()
+    left = sum(len(result.copies) for result in shown)
+    if not left:
+        return ""
+    one = len(shown) == 1
+    who, cause = ("It stands", "cause") if one else ("They stand", "causes")
+    return f"{who} for {left:,} more of the same {cause}: formats for programs have {len(shown) + left:,}."
+
+
 def known(counts: ResultCounts) -> str:
     """``known: 120 unchanged, 4 updated; gone: 7; suppressed: 12``, or "" if there is nothing of it."""
     old = [f"{n:,} {word}" for n, word in ((counts.unchanged, "unchanged"), (counts.updated, "updated")) if n]

@@ -117,18 +117,20 @@ def _inert(line: str) -> str:
 def _file(
     results: tuple[Result, ...], paint: Paint, lines: Callable[[str], list[str]], width: int, why: bool
 ) -> Iterator[str]:
-    """The findings of one file; those of one line share its frame, each with its own notes where several have some."""
+    """The findings of one file; those of one line share its frame, each with its own notes, and what is to be written, where several have some."""
     for number, group in groupby(results, lambda r: r.location.line):
         here = tuple(group)
         is_apart = sum(bool(result.related or result.flow) for result in here) > 1
+        written: set[str] = set()
         for rest in [here[i : i + 1] for i in range(len(here))] if is_apart else [here]:
             for result in rest:
                 yield _head(result, paint)
                 if why and result.reason:
                     yield paint(DIM, f"      why: {terminal(result.reason)}")
-            if number is not None and rest[0] is here[0]:
-                yield from _frame(here, number, lines(here[0].location.path), paint, width)
-                yield from _added(here, number, lines(here[0].location.path), paint, width)
+            if number is not None:
+                text = lines(here[0].location.path)
+                yield from _frame(here, number, text, paint, width) if rest[0] is here[0] else ()
+                yield from _added(rest, number, text, written, paint, width)
             for result in rest:
                 yield from _notes(result, paint)
 
@@ -186,11 +188,15 @@ def _frame(here: tuple[Result, ...], number: int, lines: list[str], paint: Paint
         yield f"{paint(DIM, '       |')} {paint(COLORS[worst], marks)}"
 
 
-def _added(here: tuple[Result, ...], number: int, lines: list[str], paint: Paint, width: int) -> Iterator[str]:
-    """What is to be written below the line: it is the place of what a manifest lacks, not what is wrong."""
+def _added(
+    here: tuple[Result, ...], number: int, lines: list[str], written: set[str], paint: Paint, width: int
+) -> Iterator[str]:
+    """What *here* asks to be written below the line, but for what is *written* above: it is the place of what a manifest lacks, not what is wrong."""
     above = lines[number - 1] if 0 < number <= len(lines) else ""
     indent = above[: len(above) - len(above.lstrip())]
-    for entry in lines_to_add(here):
+    new = [entry for entry in lines_to_add(here) if entry not in written]
+    written.update(new)
+    for entry in new:
         yield f"{paint(DIM, '     + |')} {frame(indent + entry, (), max(width - 10, 20))[0]}"
 
 
@@ -214,7 +220,7 @@ def _matched(report: Report, paint: Paint) -> Iterator[str]:
 
 def _problems(report: Report, paint: Paint, known: Collection[Notification] = ()) -> Iterator[str]:
     worth = (n for n in summary.notifications(report) if n.level is not Level.NOTE or not n.tool or not n.path)
-    shown = gathered(n for n in worth if n not in known)
+    shown = gathered((n for n in worth if n not in known), report.shown())
     for _, group in groupby(shown, lambda n: (n.level, n.tool)):
         notes = tuple(group)
         for note in notes[:MAX_TROUBLE]:
@@ -235,7 +241,8 @@ def _summary(report: Report, counts: summary.ResultCounts, paint: Paint) -> Iter
     loud = COLORS[Level.ERROR]
     failed = counts.failing or report.failed_tools() or summary.no_baseline(report)
     yield paint(loud if failed else BOLD, summary.headline(report, counts))
-    for line in filter(None, (summary.baseline(report), summary.known(counts), counted(report.silenced))):
+    beside = (summary.stood_for(report), summary.baseline(report), summary.known(counts), counted(report.silenced))
+    for line in filter(None, beside):
         yield f"  {terminal(line)}"
     yield f"  {summary.verdict(report, counts)}"
     if metrics := summary.metrics(report):

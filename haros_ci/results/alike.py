@@ -17,16 +17,16 @@ from haros_ci.results.rule import Level
 
 #: A finding names no more other places than this.
 MOST = 40
-#: Names, and lines, that the message lists.
-NAMED = 5
+#: Names, and lines, that the message lists; a name is to be written by whoever mends it, a line is a note as well.
+NAMED, LINES = 12, 5
 #: States of findings that are joined, each with its like.
 UNITED = (None, BaselineState.NEW, BaselineState.UNCHANGED)
 
-#: Rules on names that are not there: a missing import, or a declaration that stands too low, shows at each use. Those of lines that are no further apart
+#: Rules on names that are not there: a missing import, or a declaration that is missing or stands too low, shows at each use. Those of lines that are no further apart
 #: than NEAR have one cause.
 OF_NAMES = frozenset(
     """
-    flake8:F821 haros-ci:undefined-attribute haros-ci:undefined-field haros-ci:undefined-interface haros-ci:undefined-name
+    flake8:F821 haros-ci:parameter-read-undeclared haros-ci:undefined-attribute haros-ci:undefined-field haros-ci:undefined-interface haros-ci:undefined-name
     haros-ci:unset-launch-argument pylint:undefined-variable ruff:F821
     """.split()
 )
@@ -35,6 +35,9 @@ NEAR = 3
 #: Errors of one file that have one cause if they begin alike, up to the mark: a file that several nodes are given and that is not there, and a
 #: construct that is wrong in the same way at each of its places.
 OF_ONE_CAUSE = {"haros-ci:parameter-file-missing": ": ", "haros-ci:malformed-launch-file": "\n"}
+
+#: Errors of one file that have one cause if they say the same but for names: elements of a robot's description that all lack the prefix of xacro.
+OF_ONE_SHAPE = {"haros-ci:undefined-in-xacro": " has the name of a macro, but "}
 
 _WORD = re.compile(r"\w+")
 _TOKEN = re.compile(r"[\w./:-]*\w|[^\w\s]")
@@ -76,6 +79,11 @@ def _alike(indexes: Sequence[int], results: Sequence[Result]) -> Iterator[list[i
             yield found
             continue
         result = results[found[0]]
+        if (mark := OF_ONE_SHAPE.get(result.full_id)) and mark in result.message:
+            by_shape[
+                (_shape(result.message.partition("; ")[0]), *(copy.location.path for copy in result.copies))
+            ].append(found[0])
+            continue
         if result.copies:
             continue
         if result.level is not Level.ERROR:
@@ -101,7 +109,7 @@ def _neighbours(by_line: Mapping[int, Sequence[int]], results: Sequence[Result])
         result = results[here[0]]
         if len(here) > 1 or result.copies or result.level is not Level.ERROR or result.full_id not in OF_NAMES:
             continue
-        now = _WORD.sub("_", result.message.partition("; ")[0].rstrip("."))
+        now = _shape(result.message.partition("; ")[0].rstrip("."))
         if now == shape and line - last <= NEAR:
             found[-1].append(here[0])
         else:
@@ -121,12 +129,14 @@ def _with(first: Result, others: Sequence[Result]) -> Result:
     else:
         rest = f"{len(others)} more like it"
     lines = list(dict.fromkeys(str(other.location.line) for other in others))
+    if all(other.message == first.message and other.location == first.location for other in others):
+        rest = ""  # the notes have the places
     if lines != [str(first.location.line)]:
-        rest += f" ({'lines' if len(lines) > 1 else 'line'} {_listed(lines)})"
-    related = dict.fromkeys((*first.related, *_places(others, names if _are_names(names) else None)))
+        rest += f" ({'lines' if len(lines) > 1 else 'line'} {_listed(lines, LINES)})"
+    related = dict.fromkeys((*first.related, *_places(first, others, names if _are_names(names) else None)))
     return replace(
         first,
-        message=f"{first.message.rstrip('.')}; and {rest}",
+        message=f"{first.message.rstrip('.')}; and {rest}" if rest else first.message,
         related=(*first.related, *[place for place in related if place not in first.related][:MOST]),
         copies=(*first.copies, *(copy for other in others for copy in (other, *other.copies))),
     )
@@ -143,13 +153,19 @@ def _only_other(one: Sequence[str], other: Sequence[str]) -> str | None:
     return added[0] if len(one) == len(other) and len(added) == len({*one} - {*other}) == 1 else None
 
 
-def _places(others: Sequence[Result], names: Sequence[str | None] | None) -> Iterator[Related]:
-    """Where the *others* are and what each says; of those that differ in a name alone, what shows it."""
+def _places(first: Result, others: Sequence[Result], names: Sequence[str | None] | None) -> Iterator[Related]:
+    """Where the *others* are and what each says; of those that differ in a name alone, or in names at the same place, what shows it."""
     for i, other in enumerate(others):
-        if names is None:
+        is_renamed = other.location == first.location and _shape(other.message) == _shape(first.message)
+        if names is None and not (is_renamed and other.related):
             yield Related(other.location, other.message)
         else:
-            yield from other.related or (Related(other.location, f"The same of {names[i]}."),)
+            yield from other.related or (Related(other.location, f"The same of {names[i] if names else ''}."),)
+
+
+def _shape(message: str) -> str:
+    """*message* without its names: ``yaml-cpp`` and ``robot.width`` are one name each."""
+    return _TOKEN.sub(lambda word: "_" if word[0][-1].isalnum() or word[0][-1] == "_" else word[0], message)
 
 
 def _different(one: str, other: str) -> str | None:
@@ -161,8 +177,8 @@ def _different(one: str, other: str) -> str | None:
     return pairs.pop()[1] if len(pairs) == 1 else None
 
 
-def _listed(items: Iterable[str]) -> str:
+def _listed(items: Iterable[str], most: int = NAMED) -> str:
     words = [*items]
-    if len(words) > NAMED:
-        return f"{', '.join(words[:NAMED])} and {len(words) - NAMED} more"
+    if len(words) > most:
+        return f"{', '.join(words[:most])} and {len(words) - most} more"
     return " and ".join(filter(None, (", ".join(words[:-1]), words[-1])))

@@ -17,6 +17,7 @@ from posixpath import splitext
 
 from haros_ci.model.location import Location
 from haros_ci.results import alike as beside
+from haros_ci.results.across import across
 from haros_ci.results.comments import bare, lines_of, syntax
 from haros_ci.results.result import Related, Report, Result, Run
 from haros_ci.results.scope import LineScopes, scopes
@@ -76,7 +77,7 @@ def _joined_run(run: Run, texts: _Texts) -> Run:
                 copies[first] = [run.results[i] for i in others]
                 dropped.update(others)
     results = [_joined(one, copies[i]) if i in copies else one for i, one in enumerate(run.results) if i not in dropped]
-    return replace(run, results=beside.joined(results))
+    return replace(run, results=across(beside.joined(results)))
 
 
 def _groups(results: Sequence[tuple[int, Result]], texts: _Texts) -> Iterable[list[int]]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Sequence
 
-from haros_ci.model.workspace import Workspace
+from haros_ci.model.workspace import LATIN_1, Workspace
 from haros_ci.results.confined import sentence
 from haros_ci.results.result import Coverage
 
@@ -26,7 +26,8 @@ def coverage(
         unseen.append(
             "No package.xml was found: files are analysed one by one, nothing is known of packages. Run haros-ci in a workspace of ROS, or a package."
         )
-    unread = list(dict.fromkeys(problem.path for problem in (*workspace.problems, *workspace.hiding.unread)))
+    problems = (problem for problem in workspace.problems if problem.message != LATIN_1)
+    unread = list(dict.fromkeys(problem.path for problem in (*problems, *workspace.hiding.unread)))
     if unread:
         named = ", ".join(unread[:_NAMED]) + (f" and {len(unread) - _NAMED} more" if len(unread) > _NAMED else "")
         unseen.append(f"What could not be read, or not in full, as the warnings say: {named}.")

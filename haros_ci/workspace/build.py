@@ -67,7 +67,8 @@ def build_of(workspace: Workspace, package: Package, tree: PathTree | None = Non
     if tree.is_file(f"{_base(package)}setup.py"):
         setup = read_setup(tree, package)
         problems += setup.problems
-    installed = [*_installed(state), *setup.installed]
+    is_setup_alone = package.build_type == "ament_python" and tree.is_file(f"{_base(package)}setup.py")
+    installed = [*(() if is_setup_alone else _installed(state)), *setup.installed]  # colcon runs no CMake for it
     plugins = _plugins(tree, package, state, problems)
     interfaces = _interfaces(workspace, [f.path for f in own if f.language == "interface"], package, state, problems)
     python = [file.path for file in own if file.language == "python"]

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping
+from itertools import chain
 from types import MappingProxyType
 
 from haros_ci.model.location import Location
@@ -12,7 +13,7 @@ from haros_ci.model.workspace import Problem
 from haros_ci.workspace.cmake_genex import resolved
 from haros_ci.workspace.cmake_keywords import under
 from haros_ci.workspace.cmake_state import CMakeState, CMakeTarget, EvaluatedCommand
-from haros_ci.workspace.cmake_words import MAYBE, UNKNOWN, bare, inside, is_certain, place, readable
+from haros_ci.workspace.cmake_words import MAYBE, UNKNOWN, bare, inside, is_certain, place, readable, split_list
 
 #: Targets of one package; the largest packages of ROS have some dozens. What is asked of each looks at the others.
 MAX_TARGETS = 1_000
@@ -66,8 +67,11 @@ def make_target(
 def add_sources(
     state: CMakeState, made: CMakeTarget, words: list[str], location: Location, *, is_certainly: bool = True
 ) -> None:
-    """Add what *words* name, relative to the directory being read; a problem for what is not in the workspace."""
-    for word in resolved(words):
+    """Add what *words* name, relative to the directory being read; a problem for what is not in the workspace.
+
+    In quotes a list is one word, and so the property of the target is the same list (add_library(t "${SOURCES}")).
+    """
+    for word in chain.from_iterable(map(split_list, resolved(words))):
         element = bare(word)
         certain = is_certainly and element == word
         if element.startswith("$<"):

@@ -6,7 +6,7 @@ from __future__ import annotations
 import re
 
 from haros_ci.model.package import OTHER
-from haros_ci.model.workspace import Problem
+from haros_ci.model.workspace import LATIN_1, Problem
 from haros_ci.workspace.files import decode
 
 #: Longest line in characters. Beyond, a file is generated or minified, and tools take quadratic time on it.
@@ -48,7 +48,7 @@ def _examined(path: str, language: str, data: bytes) -> tuple[bool, Problem | No
             data.decode("utf-8")
         except UnicodeDecodeError as err:
             line = data.count(b"\n", 0, err.start) + 1
-            return True, Problem(path, "not UTF-8; decoded as Latin-1. Save it as UTF-8", line)
+            return True, Problem(path, LATIN_1, line)
     return True, None
 
 

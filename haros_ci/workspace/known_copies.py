@@ -88,7 +88,8 @@ _SCRIPTS: tuple[tuple[str, str, str], ...] = (
     (r"six\.py", r"Copyright.{0,40}\bBenjamin Peterson\b", "six"),
     (r"(?:stats|pstat)\.py", r"Copyright.{0,40}\bGary Strangman\b", "stats"),
     (r"svgfig\.py", r"Copyright.{0,40}\bJim Pivarski\b", "svgfig"),
-    (r"transformations\.py", r"Copyright.{0,40}\bChristoph Gohlke\b", "transformations"),
+    (r"inputs\.py", r"Copyright.{0,40}\bZeth\b|\bInputs - user input for humans\b", "inputs"),
+    (r"\w*transform\w*\.py", r"Copyright.{0,40}\bChristoph Gohlke\b", "transformations"),
     (r"bottle\.py", r"Copyright.{0,40}\bMarcel Hellkamp\b", "bottle"),
 )
 _KNOWN = {

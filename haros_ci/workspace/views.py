@@ -8,7 +8,8 @@ for ament are never built together, so both count, each with its version of ROS.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable, Mapping
+import re
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 from haros_ci.model.package import Package, SourceFile
@@ -28,6 +29,8 @@ class View:
     doubled: frozenset[str] = frozenset()
     shared: frozenset[str] = frozenset()
     _of_both: Mapping[str, int | None] = field(default_factory=dict)
+    #: By name, the paths of packages that do not count here, as another one of the name does; without those that a change brings.
+    _left_out: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
 
     def has_version(self, ros: int | None) -> bool:
         """Whether what is of this version of ROS, None for either, belongs here."""
@@ -46,6 +49,26 @@ class View:
                 return self.has_version(self._of_both[path])
         return True
 
+    def is_nearer_another(self, path: str, message: str) -> bool:
+        """Whether *message*, on the file at *path*, names a package of which another one, that does not count here, is nearer to the file.
+
+        Two workspaces of one repository (``robot/src``, ``server/src``) have a package of that name each, and that which is built with the file is its neighbour.
+        """
+        for name, others in self._left_out.items():
+            if re.search(rf"(?<![\w-]){re.escape(name)}(?![\w-])", message):
+                kept = max((_near(path, p.path) for p in self.workspace.packages if p.name == name), default=0)
+                if max(_near(path, other) for other in others) > kept:
+                    return True
+        return False
+
+
+def _near(path: str, other: str) -> int:
+    """How many directories from the root on two paths share."""
+    pairs = zip(path.split("/")[:-1], other.split("/"))
+    return next(
+        (i for i, (here, there) in enumerate(pairs) if here != there), min(path.count("/"), other.count("/") + 1)
+    )
+
 
 def views(workspace: Workspace) -> tuple[View, ...]:
     """The views of *workspace*: one, unless packages of one name are of both versions of ROS; that of ROS 1 is the first then.
@@ -60,13 +83,15 @@ def views(workspace: Workspace) -> tuple[View, ...]:
     chosen = {name: _chosen(group, first, workspace.hiding.later) for name, group in groups.items()}
     doubled = frozenset(name for name, found in chosen.items() if len(found) > 1)
     if not doubled:
-        return (View(_without(workspace, {package.path for found in chosen.values() for package in found.values()})),)
+        one = _without(workspace, {package.path for found in chosen.values() for package in found.values()})
+        return (View(one, _left_out=_others(workspace, one, groups)),)
     of_both = {package.path: package.ros for package in workspace.packages}
     shared = _paths(workspace, doubled, chosen, 1) & _paths(workspace, doubled, chosen, 2)
     found = []
     for ros in (1, 2):
         kept = {(seen.get(ros) or next(iter(seen.values()))).path for seen in chosen.values()}
-        found.append(View(_without(workspace, kept), ros, doubled, shared, of_both))
+        one = _without(workspace, kept)
+        found.append(View(one, ros, doubled, shared, of_both, _others(workspace, one, groups)))
     return tuple(found)
 
 
@@ -124,6 +149,24 @@ def _chosen(group: list[Package], files: Mapping[str, SourceFile], later: Collec
         found.setdefault(package.ros or 0, package)
     known = {ros: package for ros, package in found.items() if ros}
     return known or found
+
+
+def _others(
+    workspace: Workspace, view: Workspace, groups: Mapping[str, Sequence[Package]]
+) -> dict[str, tuple[str, ...]]:
+    """By name, the paths of packages that the *view* leaves out for one that may be of the same version of ROS, but for those that a change brings."""
+    kept = {package.name: package for package in view.packages if package.name in groups}
+    found = {
+        name: tuple(
+            package.path
+            for package in group
+            if package.path != kept[name].path
+            and package.path not in workspace.hiding.later
+            and (package.ros is None or kept[name].ros in (None, package.ros))
+        )
+        for name, group in groups.items()
+    }
+    return {name: paths for name, paths in found.items() if paths}
 
 
 def _without(workspace: Workspace, kept: set[str]) -> Workspace:

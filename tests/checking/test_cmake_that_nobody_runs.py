@@ -60,6 +60,35 @@ def test_interfaces_that_are_not_generated(kind: str, setup: str, cmake: str, co
     assert len(found) == count and all("so its interfaces are not generated" in message for message in found)
 
 
+INSTALLS = CMAKE.replace(
+    "rosidl_generate",
+    "install(DIRECTORY gone DESTINATION share/demo)\ninstall(FILES scripts/run.py DESTINATION lib/demo)\n# ",
+)
+
+
+@pytest.mark.parametrize(
+    ("rule", "kind", "setup", "count"),
+    [
+        ("missing-install-source", "ament_cmake", True, 1),
+        ("missing-install-source", "ament_python", True, 0),
+        ("missing-install-source", "ament_python", False, 1),
+        ("script-not-runnable", "ament_cmake", True, 1),
+        ("script-not-runnable", "ament_python", True, 0),
+        ("merge-conflict", "ament_python", True, 1),
+    ],
+)
+def test_what_only_cmake_would_install(rule: str, kind: str, setup: bool, count: int, tmp_path: Path) -> None:
+    conflict = "<<<<<<< HEAD\n# a\n=======\n# b\n>>>>>>> other\n" if rule == "merge-conflict" else ""
+    files = {
+        "package.xml": MANIFEST.format(kind),
+        "CMakeLists.txt": INSTALLS + conflict,
+        "demo/__init__.py": "",
+        "scripts/run.py": "#!/usr/bin/env python3\nimport rclpy\nrclpy.init()\n",
+        **({"setup.py": SETUP.format("")} if setup else {}),
+    }
+    assert len(messages(rule, files, tmp_path)) == count
+
+
 ARM = '<robot name="arm"><property name="folder" value="package://demo/meshes/arm"/><link name="a"/></robot>\n'
 
 

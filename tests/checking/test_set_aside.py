@@ -41,9 +41,23 @@ def test_a_copy(name: str, tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
+    "name",
+    ["drive_old.launch", "drive.backup2.launch", "drive-bak.launch", "drive_old_kiss.launch", "old_drive.launch"],
+)
+def test_a_former_version(name: str, tmp_path: Path) -> None:
+    whole = "<launch/>\n"
+    assert level({f"launch/{name}": BROKEN, "launch/drive.launch": whole}, tmp_path) is Level.NOTE
+    assert level({f"launch/{name}": BROKEN, "launch/drives.launch": whole}, tmp_path / "b") is Level.ERROR
+
+
+@pytest.mark.parametrize(
     "files",
     [
         {"launch/drive.launch": BROKEN},
+        {"launch/drive_old.launch": BROKEN, "launch/drive.launch": "<launch/>\n", "README.md": "roslaunch demo drive_old.launch\n"},
+        {"launch/drive_bold.launch": BROKEN, "launch/drive.launch": "<launch/>\n"},
+        {"launch/old.launch": BROKEN, "launch/drive.launch": "<launch/>\n"},
+        {"launch/household.launch": BROKEN, "launch/house.launch": "<launch/>\n"},
         {"launch/older/drive.launch": BROKEN},
         {"launch/copy_files.launch": BROKEN},
         {"launch/photocopy.launch": BROKEN},

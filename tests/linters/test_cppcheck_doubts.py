@@ -220,6 +220,18 @@ STANDS = [
 ]
 
 
+ALWAYS = 'Conversion of string literal "no solution" to bool always evaluates to true.'
+REFUTED += [
+    ("incorrectStringBooleanError", ALWAYS, 'assert(a.isApprox(b) && "no solution" && __LINE__);'),
+    ("incorrectStringBooleanError", ALWAYS, 'ROS_ASSERT(a && "no solution" && b);'),
+]
+STANDS += [
+    ("incorrectStringBooleanError", ALWAYS, 'if (a && "no solution" && b) {'),
+    ("incorrectStringBooleanError", ALWAYS, 'assert("no solution");'),
+    ("incorrectStringBooleanError", ALWAYS, 'check = a && "no solution";'),
+]
+
+
 @pytest.mark.parametrize(("rule", "message", "text"), REFUTED)
 def test_refuted(rule: str, message: str, text: str) -> None:
     assert is_refuted(rule, message, _line(message, text), text)

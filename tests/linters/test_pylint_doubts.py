@@ -43,6 +43,13 @@ REFUTED = [
         "args)",
     ),
 ]
+COUNTED = "def f(vec):\n    for i in vec:\n        if i > 2:\n            total = i\n    total += 1\n    return total\n"
+REFUTED += [
+    ("undefined-variable", COUNTED, "total += 1"),
+    ("undefined-variable", COUNTED.replace("for i in vec", "while i := vec()"), "total += 1"),
+    ("undefined-variable", COUNTED.replace("total = i", "a, total = i, i"), "total += 1"),
+    ("undefined-variable", COUNTED.replace("def f(vec)", "if vec"), "total += 1"),
+]
 THREAD = "class A:\n    def __init__(self):\n        self.worker = {}()\n    def go(self):\n        self.worker = {}(target=f)\n"
 ENTRY = "class Entry(ABC):\n    kind = None\n    def __init__(self):\n        self.value = self.kind()\n"
 REFUTED += [
@@ -210,6 +217,15 @@ STANDS = [
     ("pointless-statement", "with open(x) as f:\n    f.close\n", "f.close"),
     ("pointless-statement", "with pytest.raises(A):\n    pass\nb.c\n", "b.c"),
     ("undefined-variable", "self.s  # prevent unused variable warning\n", "self"),
+]
+STANDS += [
+    ("undefined-variable", COUNTED.replace("total = i", "totals = i"), "total += 1"),
+    ("undefined-variable", COUNTED.replace("total += 1", "print(total + 1)"), "total + 1"),
+    ("undefined-variable", "def f(vec):\n    total += 1\n    for i in vec:\n        total = i\n", "total += 1"),
+    ("undefined-variable", "def f(vec):\n    for i in vec:\n        total += 1\n        total = i\n", "total += 1"),
+    ("undefined-variable", "for i in v:\n    def g():\n        total = i\ntotal += 1\n", "total += 1"),
+    ("undefined-variable", "for i in v:\n    total = i\n\ndef g():\n    total += 1\n", "total += 1"),
+    ("undefined-variable", "def g():\n    total += 1\n", "total += 1"),
 ]
 
 

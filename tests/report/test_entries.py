@@ -76,6 +76,26 @@ def test_below_the_line_and_as_far_in() -> None:
     assert "     + |" not in shown(lacking(ADVICE, rule="invalid-manifest"))
 
 
+def test_under_the_finding_that_asks_for_them() -> None:
+    note = (Related(Location("a.py", 1), "needs b"),)
+    one, other = replace(lacking(ADVICE), related=note), lacking("y; add <exec_depend>c</exec_depend>")
+    last = replace(lacking("z; add <depend>b</depend> and <depend>d</depend>"), related=note)
+    lines = text.findings(
+        [one, other, last], color=False, width=90, why=False, source=lambda path: MANIFEST
+    ).splitlines()
+    assert [
+        line.partition(": error: ")[2][:1] or line.strip() for line in lines if " |" in line or "error" in line
+    ] == [
+        "x",
+        "2 |   <depend>rclcpp</depend>",
+        "+ |   <depend>b</depend>",
+        "y",
+        "+ |   <exec_depend>c</exec_depend>",
+        "z",
+        "+ |   <depend>d</depend>",  # b stands above
+    ]
+
+
 def at(path: str, line: int | None) -> Related:
     return Related(Location(path, line), "needs b: import b")
 

@@ -82,9 +82,74 @@ def test_what_another_is_about_whatever_its_place(
 
 
 def test_many_are_counted() -> None:
-    (one,) = joined([unused(f"n{number}", number) for number in range(1, 10)])
-    assert f"n{NAMED + 1} and 3 more (lines 2, 3, 4, 5, 6 and 3 more)" in one.message
-    assert len(one.copies) == 8
+    (one,) = joined([unused(f"n{number}", number) for number in range(1, NAMED + 5)])
+    assert f"n{NAMED + 1} and 3 more (lines 2, 3, 4, 5, 6 and {NAMED - 2} more)" in one.message
+    assert len(one.copies) == NAMED + 3
+
+
+def test_at_one_place_what_shows_them_says_more_than_their_sentences() -> None:
+    """Each of them stands at the same line, and a note has room for the half of its sentence."""
+    first, second = (
+        replace(
+            lacking(name),
+            message=f"demo needs {name} to build (find_package({name})), but package.xml does not declare it.",
+            subject=("demo", name),
+        )
+        for name in ("roscpp", "rospy")
+    )
+    key = lacking("yaml-cpp")
+    keyed = replace(
+        key,
+        message="demo needs yaml-cpp to build (find_package(YAML)), but package.xml does not declare it.",
+        subject=("demo", "yaml-cpp"),
+    )
+    (one,) = joined([first, second, keyed])
+    assert one.message.endswith("; and 2 more like it, of rospy and yaml-cpp")
+    assert [place.message for place in one.related] == [
+        f"needs {name}: find_package({name})" for name in ("roscpp", "rospy", "yaml-cpp")
+    ]
+
+
+def test_parameters_that_are_read_one_after_another() -> None:
+    names = {10: "robot.wheel_radius", 11: "robot.Kp", 12: "robot_id", 30: "rate"}
+    found = [
+        Result("haros-ci", "parameter-read-undeclared", Level.ERROR, f"cart/cart reads the parameter {name}, but does not declare it: the call throws; declare it first.", Location("a.cpp", line), subject=("cart/cart", name))
+        for line, name in names.items()
+    ]  # fmt: skip
+    one, far = joined(found)
+    assert one.message.endswith("declare it first; and the same of robot.Kp and robot_id (lines 11 and 12)")
+    assert far == found[-1]
+
+
+def unprefixed(name: str, line: int, *copies: str) -> Result:
+    message = f"<{name}> has the name of a macro, but xacro expands <xacro:{name}> only: the element has no effect; write <xacro:{name}>"
+    one = Result("haros-ci", "undefined-in-xacro", Level.ERROR, message, Location("a.xacro", line), subject=("a", name))
+    return replace(one, copies=tuple(replace(one, location=Location(path, line)) for path in copies))
+
+
+def test_elements_without_the_prefix_of_xacro() -> None:
+    (one,) = joined([unprefixed("wheel", 3), unprefixed("arm", 9), unprefixed("wheel", 40)])
+    assert one.message.endswith("; and 2 more like it (lines 9 and 40)") and len(one.copies) == 2
+    (one,) = joined([unprefixed("wheel", 3, "b.xacro"), unprefixed("arm", 9, "b.xacro")])
+    assert len(one.copies) == 3
+    apart = [unprefixed("wheel", 3, "b.xacro"), unprefixed("arm", 9)]
+    assert joined(apart) == tuple(apart)
+    other = replace(unprefixed("arm", 9), message="calls the macro 'arm', which is not defined here")
+    assert joined([unprefixed("wheel", 3), other]) == (unprefixed("wheel", 3), other)
+
+
+def test_the_same_of_the_same_place_is_not_counted() -> None:
+    """Two branches start a node that is given one file: what differs is where."""
+    one, other = (replace(missing(3), related=(Related(Location("a.launch", line), "starts it"),)) for line in (26, 42))
+    (whole,) = joined([one, other])
+    assert whole.message == one.message and len(whole.copies) == 1
+    assert [place.location.line for place in whole.related] == [26, 42]
+
+
+def test_at_another_place_the_sentence_is_the_note() -> None:
+    far = [replace(missing(line), related=(Related(Location("b.launch", 1), "included here"),)) for line in (3, 9)]
+    (one,) = joined(far)
+    assert Related(Location("a.launch", 9), far[1].message) in one.related
 
 
 def in_copies(name: str, line: int, *paths: str) -> Result:

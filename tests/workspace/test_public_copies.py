@@ -40,7 +40,17 @@ FIRES = [
     ({"src/mine": ("mine_of_ours", (TODO,), "0.0.0"), "src/urg_node": LASER}, {"src/urg_node"}),
     ({**OWN, "src/a": LASER, "src/b": ("amcl", (GRETE, TODO), "1.0.0")}, {"src/a", "src/b"}),
 ]
+SLAMTEC = ("Slamtec ROS Maintainer", "ros@slamtec.com")
+FIRES += [
+    ({**OWN, "src/sllidar_ros2": ("sllidar_ros2", (SLAMTEC,), "1.0.1")}, {"src/sllidar_ros2"}),
+    ({**OWN, "src/lidar": ("livox_ros2_driver", (("feng", "dev@livoxtech.com"),), "0.0.0")}, {"src/lidar"}),
+]
 QUIET = [
+    {**OWN, "src/sllidar_ros2": ("sllidar_ros2", (GRETE,), "1.0.1")},  # the name alone
+    {**OWN, "src/sllidar_more": ("sllidar_more", (SLAMTEC,), "1.0.1")},  # the maker alone
+    {"src/sllidar_ros2": ("sllidar_ros2", (SLAMTEC,), "1.0.1")},  # the maker's own repository
+    {"src/sllidar_ros2": ("sllidar_ros2", (SLAMTEC,), "1.0.1"), "src/sdk": ("slam_sdk", (SLAMTEC,), "1.0.0")},
+    {"src/sllidar_ros2": ("sllidar_ros2", (SLAMTEC,), "1.0.1"), "src/sdk": ("sllidar_sdk", (ADA,), "1.0.0")},
     {"src/urg_node": LASER, "src/amcl": ("amcl", (ADA,), "1.0.0")},  # nothing of its own: the original
     {**OWN, "src/urg_node": ("urg_node", (ADA,), "1.2.0")},  # by the same people
     {**OWN, "src/urg_node": ("urg_node", (GRETE, ADA), "1.2.0")},

@@ -153,9 +153,9 @@ ROWS: tuple[dict[str, object], ...] = (
          "name", "type", "description", "additional_constraints", "read_only", "dynamic_typing",
          "floating_point_range", "integer_range")}},
     {"call": "rcl_interfaces.msg.FloatingPointRange",
-     "fills": {name: f"{{{name}?0.0}}" for name in ("from_value", "to_value", "step")}},
+     "fills": {name: f"{{{at}|{name}?0.0}}" for at, name in enumerate(("from_value", "to_value", "step"))}},
     {"call": "rcl_interfaces.msg.IntegerRange",
-     "fills": {name: f"{{{name}?0}}" for name in ("from_value", "to_value", "step")}},
+     "fills": {name: f"{{{at}|{name}?0}}" for at, name in enumerate(("from_value", "to_value", "step"))}},
 
     # rclpy/parameter_client.py: clients of the other node's parameter services.
     {"call": "rclpy.parameter_client.AsyncParameterClient",

@@ -25,7 +25,7 @@ def items_of(run: ScriptEvaluation, value: Value, place: Location) -> list[Value
     if isinstance(value, set):
         return (
             sorted(value, key=order)
-            if all(isinstance(item, str) for item in value)
+            if len(value) == 1 or all(isinstance(item, str) for item in value)
             else [Rest("the order of a set is not known", place)]
         )
     return run.unknown(f"its items are not known: {why(value)}", place)
