@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from haros_ci.api import Check, Finding, Level, Location, Project, listed, syntax
-from haros_ci.api.code import Callback, Codebase, Routine, base_names, callbacks, methods, owner_of
+from haros_ci.api.code import Callback, Codebase, Routine, alone, base_names, callbacks, methods, owner_of
 
 _KINDS = frozenset(("subscription", "service", "timer"))
 #: Calls that take their time: a message comes while they wait.
@@ -52,7 +52,7 @@ def check(project: Project) -> Iterator[Finding]:
 def _of_constructor(project: Project, made: list[Callback]) -> Iterator[Finding]:
     code, maker = project.code, made[0].maker
     statements = maker.function.body or ()
-    if maker.is_test or len(statements) > _MANY or _BY_NAME.search(project.text(maker.path)):
+    if maker.is_test or len(statements) > _MANY or _BY_NAME.search(alone(code, maker.path)):
         return
     available = _available(code, maker)
     for callback in made[:_CALLBACKS]:

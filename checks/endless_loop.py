@@ -7,7 +7,7 @@ import re
 from collections.abc import Iterator
 
 from haros_ci.api import Check, Decidability, Finding, Level, Location, Project, syntax
-from haros_ci.api.code import Codebase, Routine, callees, is_dead
+from haros_ci.api.code import Codebase, Routine, alone, callees, is_dead
 
 #: Text in a loop's body by which it may end, or by which more may happen than is seen.
 ENDS = re.compile(
@@ -83,7 +83,7 @@ def _may_end(code: Codebase, routine: Routine, statement: syntax.Loop) -> bool:
     if not routine.is_python:
         if _is_interrupted(code, routine, text):
             return True
-        return bool(re.search(r"\bdetach\s*\(", code.text(routine.path)))  # such a thread ends with the process
+        return bool(re.search(r"\bdetach\s*\(", alone(code, routine.path)))  # such a thread ends with the process
     calls = {call.name for call in code.body(routine).calls if statement.line <= call.line}
     called = (code.lines(callee, callee.function.line) for call, callee in callees(code, routine) if call.name in calls)
     return any(RAISES.search(text) for text in (text, *called))
@@ -94,7 +94,7 @@ def _is_interrupted(code: Codebase, routine: Routine, text: str) -> bool:
     files = {routine.path, *code.cpp.reach(routine.path)}
     return bool(
         files & code.mentioning("boost::thread")
-        and any(_INTERRUPT.search(code.text(path)) for path in files & code.mentioning("interrupt"))
+        and any(_INTERRUPT.search(alone(code, path)) for path in files & code.mentioning("interrupt"))
         and _INTERRUPTION_POINT.search(_NO_INTERRUPTION_POINT.sub(" ", text))
     )
 

@@ -7,7 +7,7 @@ import re
 from collections.abc import Iterator
 
 from haros_ci.api import Check, Finding, Level, Project, syntax
-from haros_ci.api.code import Call, Callback, Codebase, Routine, call_place, callbacks, calls_of, dotted
+from haros_ci.api.code import Call, Callback, Codebase, Routine, alone, call_place, callbacks, calls_of, dotted
 
 #: Whatever may call callbacks: a text that has one of these words is not looked at.
 SPINS = re.compile(
@@ -31,7 +31,7 @@ def check(project: Project) -> Iterator[Finding]:
             routine.is_python and routine.function.kind in ("function", "module")
         ):
             continue
-        if STARTS.search(code.text(routine.path)) or SPINS.search(code.text(routine.path)):
+        if STARTS.search(alone(code, routine.path)) or SPINS.search(alone(code, routine.path)):
             continue
         paths = _program(code, routine)
         text = code.text(routine.path)
@@ -39,7 +39,7 @@ def check(project: Project) -> Iterator[Finding]:
             (e for e in callbacks(code) if e.maker.path in paths and e.kind in KINDS and _is_used(e, routine, text)),
             None,
         )
-        if made is None or any(SPINS.search(code.text(path)) for path in paths):
+        if made is None or any(SPINS.search(alone(code, path)) for path in paths):
             continue
         yield Finding(
             at=call_place(routine, call),
@@ -60,7 +60,7 @@ def _classes_spun(code: Codebase) -> Iterator[Finding]:
         whole = dotted(code, routine, call.args[0])
         if not whole or dotted(code, routine, call.callee) not in {f"rclpy.{spinning}" for spinning in SPINNING}:
             continue
-        if re.search(rf"^[ \t]*{name}[ \t]*(?::[^=\n]*)?=(?!=)", code.text(routine.path), re.MULTILINE) is not None:
+        if re.search(rf"^[ \t]*{name}[ \t]*(?::[^=\n]*)?=(?!=)", alone(code, routine.path), re.MULTILINE) is not None:
             continue  # the name is given to something else
         if f"{routine.source.module}.{name}" in known if whole == name else whole in known:
             yield Finding(

@@ -222,9 +222,11 @@ def _differs(file: SourceFile, old: SourceFile | None) -> bool:
 def notices(workspace: Workspace, base: Base | None, silence: Silenced) -> Iterator[Notification]:
     """What there is to note of all this beside the findings."""
     if base is not None:
-        from haros_ci.workspace.build_changes import brought_steps
+        from haros_ci.workspace.build_changes import brought_builders, brought_steps
+        from haros_ci.workspace.shadowing import shadowed
 
-        for problem in brought_steps(workspace, base.workspace)[1]:
+        of_builds = (*brought_steps(workspace, base.workspace)[1], *brought_builders(workspace, base.workspace))
+        for problem in (*of_builds, *shadowed(workspace, base.workspace)):
             yield Notification(Level.NOTE, f"since this change {problem.message}", path=problem.path, line=problem.line)
     for problem in workspace.hiding.warnings:
         yield Notification(Level.WARNING, problem.message, path=problem.path)

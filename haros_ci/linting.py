@@ -18,17 +18,19 @@ from haros_ci.linters import pylint, values
 from haros_ci.linters.doubting import Doubting
 from haros_ci.linters.given_names import is_extra_script
 from haros_ci.linters.in_default import IN_TESTS, is_idle, is_of_linter, is_test
-from haros_ci.linters.linter import SILENCED, LintOptions, When
+from haros_ci.linters.linter import REFUTED, SILENCED, LintOptions, When
 from haros_ci.linters.loaded_files import loaded_files
+from haros_ci.linters.metrics import STRUCTURE_RULES
 from haros_ci.linters.pylint_surroundings import is_refuted_around
 from haros_ci.linters.recorded import Testimony
 from haros_ci.linters.said_by_ours import unrepeated
-from haros_ci.linters.undefined_names import weighed_names
+from haros_ci.linters.undefined_names import uses_gettext, weighed_names
 from haros_ci.model.location import Location
 from haros_ci.model.workspace import Workspace
 from haros_ci.registry import Registry
 from haros_ci.results import own
-from haros_ci.results.result import Result, Run, Suppression, Tool, results_of
+from haros_ci.results.counted import count_metrics, raise_exceeded
+from haros_ci.results.result import Baseline, Result, Run, Suppression, Tool, results_of
 from haros_ci.results.rule import Level, Rule
 
 _SILENCED = re.compile(r"'(?P<rule>[\w-]{1,100})' \(from line (?P<line>\d{1,9})\)")
@@ -69,6 +71,27 @@ def lint_options(settings: Settings, known: Registry) -> LintOptions:
     )
 
 
+def split_refuted(runs: Iterable[Run]) -> tuple[Run, ...]:
+    """*runs* with the findings that the code around them speaks against as ``Run.refuted``, by their own rules."""
+    done = []
+    for run in runs:
+        apart = [result for result in run.results if result.rule.startswith(REFUTED)]
+        if apart:
+            left = tuple(result for result in run.results if not result.rule.startswith(REFUTED))
+            own_rules = tuple(replace(result, rule=result.rule.removeprefix(REFUTED)) for result in apart)
+            run = replace(run, results=left, refuted=own_rules)
+        done.append(run)
+    return tuple(done)
+
+
+def with_refuted(runs: Iterable[Run], refuted: Iterable[Result]) -> tuple[Run, ...]:
+    """*runs*, each with those of *refuted* that are of its tool in place of its own."""
+    by_tool: dict[str, list[Result]] = {}
+    for result in refuted:
+        by_tool.setdefault(result.tool, []).append(result)
+    return tuple(replace(run, refuted=tuple(by_tool.get(run.tool.name, ()))) for run in runs)
+
+
 def with_silenced(runs: Iterable[Run], workspace: Workspace, selection: Selection) -> tuple[Run, ...]:
     """*runs* with what pylint says of findings that comments silence as ``Run.silenced``, those whose rule is on."""
 
@@ -98,6 +121,7 @@ def with_names(results: Iterable[Result], workspace: Workspace, selection: Selec
     of_all = 1 if every == {1} else 0  # what lies in no package of a workspace of ROS 1 alone
     package_of = workspace.package_finder()
     loaded = cache(lambda: loaded_files(workspace))
+    python = [file.path for file in workspace.files if file.language in ("python", "launch", "setup")]
     return weighed_names(
         results,
         workspace.text,
@@ -105,6 +129,7 @@ def with_names(results: Iterable[Result], workspace: Workspace, selection: Selec
         is_given=lambda result: selection.given_level(result.tool, result.rule, result.location.path) is not None,
         is_loaded=lambda path: path.rpartition("/")[2] in loaded(),
         is_extra=lambda path: is_extra_script(path, workspace.names.__contains__, workspace.text),
+        is_translated=cache(lambda: any(map(uses_gettext, map(workspace.text, python)))),
     )
 
 
@@ -113,11 +138,12 @@ def worth_reporting(
     workspace: Workspace,
     selection: Selection,
     left_out: Callable[[Collection[str]], Collection[str]],
+    aside: list[Result] | None = None,
 ) -> tuple[Result, ...]:
     """*results* without those of linters, and of checks that speak of code alone, that nobody mends where they are; who asks for every finding, or for the rule, has them.
 
     They are in files that are *left_out*, as nothing uses them or as they are copies, in tests, of what is deprecated in no Python of ROS 1, or refuted by
-    other files.
+    other files. The latter are put *aside*.
     """
     ros = {package.name: package.ros for package in reversed(workspace.packages)}
     package_of = cache(workspace.package_finder())
@@ -133,6 +159,8 @@ def worth_reporting(
         extra = is_extra(result)
         path = result.location.path
         if extra and doubting.may(path, result.full_id, workspace.text(path)) and is_refuted_around(result, workspace):
+            if aside is not None:
+                aside.append(result)
             continue
         if not extra or not is_idle(result, ros.get(package_of(result.location.path) or "")):
             kept.append((result, extra))
@@ -230,6 +258,24 @@ def is_silent(name: str, settings: Settings, selection: Selection, known: Regist
     named = [word.removeprefix(f"{tool}:") for word in words if word.startswith(f"{tool}:") or is_glob(word)]
     others = [UNKNOWN, *(re.sub(r"\[.*?\]|[*?]", "x", word) for word in named if word not in ("*", ""))]
     return not any(selection.may_want(tool, id) for id in others)
+
+
+def has_structure(workspace: Workspace, selection: Selection) -> bool:
+    """Whether any threshold is on that only syntax trees and the index of the workspace can tell of."""
+    paths = (file.path for file in workspace.files if file.language in ("cpp", "python"))
+    return selection.wants_any(METRICS, STRUCTURE_RULES, paths)
+
+
+def weighed(runs: tuple[Run, ...], baseline: Baseline | None, selection: Selection) -> tuple[Run, ...]:
+    """*runs* with metrics at their weight: a change that crosses a limit of ``ros`` warns, what was there is a number."""
+    if baseline is None or not baseline.available:
+        return count_metrics(runs, selection.is_asked_for)
+
+    def weighs(result: Result) -> bool:
+        level = selection.given_level(result.tool, result.rule, result.location.path)
+        return level is None and "ros" in selection.rule(result.tool, result.rule).profiles
+
+    return raise_exceeded(runs, weighs)
 
 
 def with_queries(settings: Settings, known: Registry) -> Callable[[str], Mapping[str, Rule]]:

@@ -21,36 +21,40 @@ from haros_ci.config.settings import PROFILES, Settings
 from haros_ci.hosting import hosted
 from haros_ci.linters import catalogue
 from haros_ci.linters.duplicates import drop_unfounded, merge_same_defects
-from haros_ci.linters.metrics import STRUCTURE_RULES, keep_worst_band
+from haros_ci.linters.endpoint_macros import notifications as endpoint_macros
+from haros_ci.linters.metrics import keep_worst_band
 from haros_ci.linters.one_cause import one_cause
 from haros_ci.linters.recorded import Testimony
 from haros_ci.linters.run import lint
 from haros_ci.linters.said_by_ours import said_once
 from haros_ci.linters.seen_otherwise import notifications as seen_otherwise
 from haros_ci.linters.settings_changes import notifications as changed_settings
+from haros_ci.linters.used_aside import notifications as used_aside
 from haros_ci.linting import (
-    METRICS,
     confinement,
     contradictions,
+    has_structure,
     lint_options,
     reported_rules,
+    split_refuted,
+    weighed,
     with_metrics,
     with_names,
     with_queries,
+    with_refuted,
     with_silenced,
     without_hints,
     worth_reporting,
 )
 from haros_ci.measuring.ahead import measured_meanwhile
 from haros_ci.model.workspace import Store, Workspace
+from haros_ci.refuted import missing, refuted_since
 from haros_ci.registry import Registry
 from haros_ci.results import own
-from haros_ci.results.counted import count_metrics, raise_exceeded
 from haros_ci.results.coverage import coverage
 from haros_ci.results.fingerprint import fingerprint
 from haros_ci.results.result import (
     Artifact,
-    Baseline,
     Notification,
     Report,
     Result,
@@ -95,6 +99,8 @@ def analyse(
         past = base if isinstance(base, Base) else None
         changed = changed_settings(workspace, past.workspace if past and past.settings else None)
         changed += seen_otherwise(workspace, past.workspace if past else None)
+        changed += used_aside(workspace, past.workspace if past else None)
+        changed += endpoint_macros(workspace, past.workspace if past else None)
         workspace = settled(workspace, settings, base)
         head, old = (None, None) if recorded is None else recorded(workspace, past)
         left = left_out(workspace, settings, base)
@@ -112,7 +118,10 @@ def analyse(
         runs = tuple(described(run, selection) for run in (*runs, *imported(settings, workspace, selection)))
         compared = compare(runs, workspace, settings, base, examine=before_it)
         silence = silenced(workspace, settings, base, compared.runs, before_it)
-        noticed = tuple(notices(workspace, past, silence))
+        noticed = (
+            *notices(workspace, past, silence),
+            *refuted_since(workspace, settings, past, compared.runs, before_it),
+        )
     notes = (*settings.notes, *misfits, *idle_entries(runs, workspace, settings))
     report = Report(
         # absent results bring rules of their own
@@ -203,7 +212,7 @@ def examine(
         workspace, known.linters, options, store, selection.wants, progress, testimony.lint if testimony else None
     )
     raw, lost = (raw, ()) if since is None else since(raw)
-    raw = with_silenced(raw, workspace, selection)
+    raw = split_refuted(with_silenced(raw, workspace, selection))
     own_one = own_run(workspace, known)
     if testimony is None:
         with measured_meanwhile(workspace, architectures, is_head=since is not None):
@@ -217,9 +226,14 @@ def examine(
             structured(workspace, architectures, progress) if testimony is None else testimony.whole(STRUCTURE),
         )
     runs = (own_one, *with_metrics(raw))
+    aside, again = list[Result](), list[Result]()
     every = drop_unfounded(results_of(runs), workspace.text)
-    results = without_hints(selected(every, selection, workspace, left), every, workspace, selection)
-    results = with_names(results, workspace, selection)
+    results = without_hints(selected(every, selection, workspace, left, aside), every, workspace, selection)
+    named = with_names(results, workspace, selection)
+    refuted = (result for run in runs for result in run.refuted)
+    dropped = (*missing(results_of(runs), every), *aside, *missing(results, named), *refuted)
+    runs = with_refuted(runs, (*selected(dropped, selection, workspace, left, again), *again))
+    results = named
     of_plugins = hosted(workspace, selection, architectures, results, progress)
     runs, results = (*runs, *of_plugins), (*results, *selected(results_of(of_plugins), selection, workspace, left))
     merged = merge_same_defects(keep_worst_band(one_cause(results, workspace.text)))
@@ -227,29 +241,11 @@ def examine(
     return finished(merged_runs, workspace, selection, architectures.settings, frozenset(left.found))
 
 
-def weighed(runs: tuple[Run, ...], baseline: Baseline | None, selection: Selection) -> tuple[Run, ...]:
-    """*runs* with metrics at their weight: a change that crosses a limit of ``ros`` warns, what was there is a number."""
-    if baseline is None or not baseline.available:
-        return count_metrics(runs, selection.is_asked_for)
-
-    def weighs(result: Result) -> bool:
-        level = selection.given_level(result.tool, result.rule, result.location.path)
-        return level is None and "ros" in selection.rule(result.tool, result.rule).profiles
-
-    return raise_exceeded(runs, weighs)
-
-
 def structured(workspace: Workspace, architectures: Architectures, progress: Progress | None) -> Run:
     """What syntax trees and the index of the workspace tell of functions and classes."""
     from haros_ci.measuring.exceeded import exceeded_limits
 
     return exceeded_limits(workspace, architectures.store, architectures.settings.jobs, progress)
-
-
-def has_structure(workspace: Workspace, selection: Selection) -> bool:
-    """Whether any threshold is on that only syntax trees and the index of the workspace can tell of."""
-    paths = (file.path for file in workspace.files if file.language in ("cpp", "python"))
-    return selection.wants_any(METRICS, STRUCTURE_RULES, paths)
 
 
 def imported(settings: Settings, workspace: Workspace, selection: Selection) -> tuple[Run, ...]:
@@ -314,7 +310,11 @@ def idle_entries(runs: tuple[Run, ...], workspace: Workspace, settings: Settings
 
 
 def selected(
-    results: Iterable[Result], selection: Selection, workspace: Workspace, left: LeftOut | None = None
+    results: Iterable[Result],
+    selection: Selection,
+    workspace: Workspace,
+    left: LeftOut | None = None,
+    aside: list[Result] | None = None,
 ) -> tuple[Result, ...]:
     """Those results whose rule is on for their file, at the level that the settings give them.
 
@@ -330,7 +330,7 @@ def selected(
         level = selection.decide(result.tool, result.rule, result.location.path, default=default)
         if level is not None:
             kept.append(result if level is result.level else replace(result, level=level))
-    return worth_reporting(kept, workspace, selection, left.among if left else lambda paths: ())
+    return worth_reporting(kept, workspace, selection, left.among if left else lambda paths: (), aside)
 
 
 def own_run(workspace: Workspace, known: Registry) -> Run:

@@ -176,11 +176,13 @@ DOORS: dict[str, set[str]] = {
         "workspace",
     },
     "brought": {"config", "model", "results", "workspace"},
+    "refuted": {"config", "model", "results", "workspace"},
     "hosting": {"analysis", "config", "haros_plugins", "measuring", "model", "query", "results", "timing"},
     "pipeline": {
         "analysis",
         "baselines",
         "brought",
+        "refuted",
         "config",
         "hosting",
         "linters",

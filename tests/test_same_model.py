@@ -35,7 +35,28 @@ ONLY_PLACES: dict[str, dict[str, str]] = {
     "a comment less": {SCRIPT: PYTHON.replace("  # step", "")},
     "two files": {LISTENER_CPP: "// more\n" + CODE, SCRIPT: "#\n" + PYTHON},
 }
+
+
+def with_line(line: str) -> dict[str, str]:
+    return {LISTENER_CPP: CODE.replace("  rclcpp::spin", f"{line}\n  rclcpp::spin")}
+
+
+LOG = '  RCLCPP_INFO(\n    node->get_logger(), "at; (%d",  // more\n    depth);'
+IDLE: dict[str, dict[str, str]] = {
+    "a number": with_line("  int more = 1;"),
+    "a text": with_line('  const std::string more("x");'),
+    "a log": with_line(LOG),
+    "both, and a comment": with_line(f"{LOG}\n  // more\n  bool more{{true}};"),
+}
 MORE: dict[str, dict[str, str]] = {
+    "a number that is used": with_line("  int more = 1;\n  take(more);"),
+    "a log that names a function": with_line('  RCLCPP_INFO(node->get_logger(), "%p", node->main);'),
+    "two numbers": with_line("  int more = 1, others = depth;"),
+    "a log of a call": with_line('  RCLCPP_INFO(node->get_logger(), "%d", take(1));'),
+    "a log beside a statement": with_line('  take(1); RCLCPP_INFO(node->get_logger(), "x");'),
+    "a log before a statement": with_line('  RCLCPP_INFO(node->get_logger(), "x"); take(1);'),
+    "a number in a loop": with_line("  for (int more = 1;;) {}"),
+    "output": with_line('  std::cout << "x";'),
     "a statement": {LISTENER_CPP: CODE.replace("{", "{ int more = 1;", 1)},
     "a function": {LISTENER_CPP: CODE + "\nvoid more() {}\n"},
     "another type": {LISTENER_CPP: CODE.replace("Int32", "String")},
@@ -65,15 +86,29 @@ def root(tmp_path: Path) -> Path:
     return made
 
 
-def is_same(root: Path) -> bool:
+def is_same(root: Path, is_all: bool = True) -> bool:
     store, workspace = MemoryCache(), discover(root, (".",))
     with base_workspace(workspace, "HEAD") as base:
-        return moved_lines(base, workspace, store) is not None
+        moved = moved_lines(base, workspace, store)
+    assert moved is None or moved.is_all is is_all
+    return moved is not None
 
 
 @pytest.mark.parametrize("edit", ONLY_PLACES.values(), ids=ONLY_PLACES)
 def test_same_after(root: Path, edit: dict[str, str]) -> None:
     assert is_same(write(root, edit))
+
+
+@pytest.mark.parametrize("edit", IDLE.values(), ids=IDLE)
+def test_same_after_idle_statements(root: Path, edit: dict[str, str]) -> None:
+    """Checks of changes are asked all the same."""
+    assert is_same(write(root, edit), is_all=False)
+
+
+@pytest.mark.parametrize("other", ("", LOG.replace("at", "off"), LOG + "\n  int more = 1;", "  float more = 1;"))
+def test_same_after_other_idle_statements(root: Path, other: str) -> None:
+    commit(write(root, IDLE["a log"]))
+    assert is_same(write(root, with_line(other)), is_all=False)
 
 
 @pytest.mark.parametrize("edit", MORE.values(), ids=MORE)
@@ -86,7 +121,9 @@ def test_made_again_where_a_file_has_another_name(root: Path) -> None:
     assert not is_same(root)
 
 
-@pytest.mark.parametrize("edit", [ONLY_PLACES["two files"], ONLY_PLACES["a comment less"], MORE["another type"]])
+@pytest.mark.parametrize(
+    "edit", [ONLY_PLACES["two files"], ONLY_PLACES["a comment less"], IDLE["both, and a comment"], MORE["another type"]]
+)
 def test_the_report_is_that_of_a_run_that_makes_both(
     root: Path, edit: dict[str, str], monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -80,13 +80,13 @@ def _inspected(
 
     if progress is not None:
         progress("architecture")
-    lines = None if base is None or settings.plugins else moved_lines(base, workspace, architectures.store)
+    moved = None if base is None or settings.plugins else moved_lines(base, workspace, architectures.store)
     if base is None:
         made = architectures.kept(workspace)
-    elif lines is None:
+    elif moved is None:
         made = architectures.of(workspace)
     else:
-        made = architectures.kept(workspace, base.workspace, lines)
+        made = architectures.kept(workspace, base.workspace, moved.lines)
     found = made.architecture
 
     def under(system: System, arguments: Assigned) -> System | None:
@@ -100,11 +100,11 @@ def _inspected(
     where = settings.project_file or ""
     access = settings.access
     seen = project_of(made, workspace, all_systems, past, renames, project_file=where, access=access)
-    project = architectures.seen(seen if lines is None else seen.without_changes())
+    project = architectures.seen(seen.without_changes() if moved is not None and moved.is_all else seen)
     processes = settings.jobs if len(workspace.files) > FEW else 1
     share = partial(shared, processes=processes, here=OF_CHANGES)
     old = base.workspace if base is not None else None
-    kept, of = architectures.keeping(), base.workspace if base is not None and lines is not None else workspace
+    kept, of = architectures.keeping(), base.workspace if base is not None and moved is not None else workspace
     before = kept.sentences(of) if kept is not None else None
     beside = partial(lacking, made, workspace, settings) if before is None else partial(tuple[str, ...], before)
     of_systems, of_project, changes, sentences = run_all(

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from haros_ci.index.trace import XML_FILES, YAML_FILES
+from haros_ci.index.trace import XML_FILES
 from haros_ci.keeping.kept import Earlier, begun, digest_of
 from haros_ci.model.workspace import Store, Workspace
 from haros_ci.own_sources import OF_FACTS, OF_FOLLOWED, digest
@@ -37,7 +37,6 @@ def keeper(workspace: Workspace, store: Store, records: dict[str, Earlier | None
     with that of the last few records of whose files the fewest differ.
     """
     files = {file.path: file.digest for file in workspace.files if file.language in ("cpp", "python")}
-    files[YAML_FILES] = digest_of([(file.path, file.digest) for file in workspace.files if file.language == "yaml"])
     known = [(file.path, file.digest if file.path.endswith(".xml") else "") for file in workspace.files]
     files[XML_FILES] = digest_of(known)  # directories are listed, too
     languages = {file.path: file.language for file in workspace.files}

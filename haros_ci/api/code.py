@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from haros_ci.checking.attributes import Unset, unset_attributes
+from haros_ci.checking.code_text import alone
 from haros_ci.checking.old_python import (
     LOADS,
     Misfit,
@@ -95,6 +96,7 @@ __all__ = [
     "Unset",
     "Use",
     "Variable",
+    "alone",
     "attribute_values",
     "base_names",
     "call_place",

@@ -24,6 +24,12 @@ OF_CHANGES = "change"
 SYSTEMS = "systems"
 #: The piece of work that is no check: what else is to be said of the model.
 BESIDE = "beside"
+#: The tags of checks that are one piece of work: those of code ask for its call graph, those of packages for what is included and imported.
+_TOGETHER = (
+    (OF_CHANGES, frozenset((OF_CHANGES,))),
+    ("code", frozenset(("code", "python", "interfaces", "topics"))),
+    ("packages", frozenset(("packages", "build", "launch", "parameters", "plugins"))),
+)
 Notes = tuple[str, ...]
 #: Does pieces of work, those of one group in one process, and gives their results in order.
 Share = Callable[[Sequence[Callable[[], Any]], Sequence[Hashable]], Sequence[Any]]
@@ -59,8 +65,7 @@ def run_all(
     unseen, budget = markers(project.workspace, base), Patience()
     work: list[tuple[str, str, Callable[[], Any]]] = [(OF_CHANGES, "", lambda: project.changes)] if base else []
     for check in sorted(of_project, key=lambda check: OF_CHANGES not in check.tags):
-        group = OF_CHANGES if OF_CHANGES in check.tags else check.id
-        work.append((group, check.id, partial(run_on_project, (check,), project, tool, unseen, budget)))
+        work.append((_group(check), check.id, partial(run_on_project, (check,), project, tool, unseen, budget)))
     place = sum(group == OF_CHANGES for group, _, _ in work)
     work.insert(place, (SYSTEMS, "", partial(run_checks, checks, systems, tool, under)))
     work.insert(place + 1, (BESIDE, "", beside))
@@ -73,6 +78,11 @@ def run_all(
     unread = frozenset(fault.path for fault in project.workspace.faults)
     of_systems, of_checks = _not_at(unread, found[SYSTEMS]), _not_at(unread, of_checks)
     return of_systems, of_checks, found.get(OF_CHANGES), found[BESIDE]
+
+
+def _group(check: Check) -> str:
+    """The piece of work that a check belongs to: what those of one have in common, the index of the code or the texts of build files, is made in one process."""
+    return next((group for group, tags in _TOGETHER if tags.intersection(check.tags)), check.id)
 
 
 def _timed(do: Callable[[], Any]) -> _Done:

@@ -13,6 +13,7 @@ from collections.abc import Iterator, Set
 from dataclasses import dataclass
 
 from haros_ci import syntax
+from haros_ci.checking.code_text import alone
 from haros_ci.checking.project import Project
 from haros_ci.code.classes import Owner, bases
 from haros_ci.code.codebase import Codebase, Routine
@@ -114,7 +115,7 @@ def unset_attributes(project: Project) -> Iterator[Unset]:
         libraries = {name for member in related[key] for above, name in parents.get(member, ()) if above is None}
         if len(family) < len(related[key]) or not libraries <= {*_PLAIN, *_KNOWN}:
             continue
-        if any(_BY_NAME.search(code.text(path)) for path in {one.owner[0].path for one in family}):
+        if any(_BY_NAME.search(alone(code, path)) for path in {one.owner[0].path for one in family}):
             continue
         if not _is_made(code, definition.name, is_alone=len(family) == 1):
             continue
@@ -126,7 +127,7 @@ def unset_attributes(project: Project) -> Iterator[Unset]:
             has |= _LIFECYCLE  # rclpy may get these names for its plain nodes
         for name, routine in sorted(class_.read.items()):
             is_hidden = name.startswith("__") or (name.startswith("_") and bool(libraries - _PLAIN))
-            if name in has or name in elsewhere or is_hidden or _is_asked(code.text(source.path), name):
+            if name in has or name in elsewhere or is_hidden or _is_asked(alone(code, source.path), name):
                 continue
             is_reached = _is_reached(code, routine, {one.owner[0].path for one in family})
             yield Unset(definition.name, name, routine, _place(code, routine, name), frozenset(known), is_reached)

@@ -6,6 +6,7 @@ from __future__ import annotations
 import re
 import sys
 from collections.abc import Iterator, Mapping, Set
+from functools import lru_cache
 
 from haros_ci.checking.needs import Need
 from haros_ci.checking.project import ProjectPackage
@@ -232,6 +233,7 @@ def _name_of(path: str) -> str:
     return folder.rpartition("/")[2] if base == "__init__.py" else base.removesuffix(".py")
 
 
+@lru_cache(maxsize=4096)
 def imported_words(text: str) -> frozenset[str]:
     """All names in the imports of a file: modules, and what may be one."""
     found: set[str] = set()

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import replace
+from functools import lru_cache
 
 from haros_ci.checking.system import System
 from haros_ci.model.launch_facts import LaunchFact, PackageUse
@@ -29,14 +30,22 @@ def said_by(use: PackageUse, system: System) -> PackageUse:
     if system.workspace is None or not use.included:
         return use
     text = system.workspace.text
-    name = re.compile(rf"(?<![\w-]){re.escape(use.package)}(?![\w-])")
-    if name.search(text(use.location.path)) is not None:
+    if _is_named(use.package, text(use.location.path)):
         return use
     for depth in range(len(use.included) - 1, -1, -1):
         place = use.included[depth]
-        if place.path != use.location.path and name.search(_COMMENT.sub("", text(place.path))) is not None:
+        if place.path != use.location.path and _is_named(use.package, text(place.path), in_code=True):
             return replace(use, location=place, included=use.included[:depth])
     return use
+
+
+@lru_cache(maxsize=4096)
+def _is_named(package: str, text: str, in_code: bool = False) -> bool:
+    """Whether a text names *package*; *in_code*, outside of comments."""
+    if package not in text:
+        return False
+    written = _COMMENT.sub("", text) if in_code else text
+    return re.search(rf"(?<![\w-]){re.escape(package)}(?![\w-])", written) is not None
 
 
 def included_by(fact: LaunchFact) -> tuple[tuple[Location, str], ...]:

@@ -35,8 +35,12 @@ class Lookup:
     location: Location
 
 
-def lookups(package: ProjectPackage) -> Iterator[Lookup]:
+def lookups(package: ProjectPackage) -> tuple[Lookup, ...]:
     """What programs and modules of *package* that are built or installed ask for; launch files and tests are left out."""
+    return package.project.sources.once(("lookups", package.path), lambda: tuple(_lookups(package)))
+
+
+def _lookups(package: ProjectPackage) -> Iterator[Lookup]:
     project = package.project
     paths = [path for path, is_launch in used_files(package) if not is_launch and not _is_tool(package, path)]
     for target in package.build.targets:

@@ -12,6 +12,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from haros_ci import syntax
+from haros_ci.checking.code_text import alone
 from haros_ci.checking.interface_users import defined_in
 from haros_ci.checking.project import Project
 from haros_ci.code.body import nodes
@@ -85,7 +86,7 @@ def typed_routines(project: Project) -> Iterator[Typed]:
         if not any(_INTERFACE.search(str(alias.type.name)) for alias in source.program.aliases):
             continue
         ros = code.ros_of(source)
-        if ros not in structs or source.package in both or _EITHER.search(project.text(source.path)):
+        if ros not in structs or source.package in both or _EITHER.search(alone(code, source.path)):
             continue
         for routine in code.routines(source.path):
             yield Typed(routine, structs[ros], _variables(code, routine, structs[ros], parameters.get(id(routine), {})))
@@ -230,7 +231,7 @@ def _is_asked(code: Codebase, routine: Routine, name: str) -> bool:
         ):
             return True
     shared = re.compile(rf"^[ \t]*(?:global|nonlocal)\s[^\n]*\b{re.escape(name)}\b", re.M)
-    return shared.search(code.text(routine.path)) is not None
+    return shared.search(alone(code, routine.path)) is not None
 
 
 def _parameters(code: Codebase, structs: dict[int, Structs]) -> dict[int, dict[str, Struct]]:

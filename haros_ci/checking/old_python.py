@@ -12,6 +12,8 @@ import warnings
 from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass
 
+from haros_ci.results.code_alone import code_alone
+
 MAX_SOURCE = 500_000
 _PRINT = re.compile(r"(^[ \t]*|[:;][ \t]*)print[ \t]*(?:>>[ \t]*|(?<=[ \t])(?=[\"'\w\[{`-]))", re.MULTILINE)
 _EXCEPT = re.compile(r"^([ \t]*except[ \t]+[\w.]+|[ \t]*except[ \t]*\([\w., \t]+\)),[ \t]*(\w+)[ \t]*:", re.MULTILINE)
@@ -75,7 +77,7 @@ def _modern(text: str) -> str:
 
 def undefined_names(module: ast.Module, source: str) -> Iterator[tuple[str, int]]:
     """Names that some scope reads and nothing in the file defines, with the first line that does: one that is reached, if there is one."""
-    if _OPEN.search(source):
+    if _OPEN.search(code_alone(source, "python")):
         return
     try:
         top = symtable.symtable(source, "module", "exec")

@@ -35,7 +35,7 @@ def is_optional(fact: LaunchFact, system: System) -> bool:
     return path.endswith(".py") and workspace is not None and depends_on_package(workspace.text(path), fact.location)
 
 
-@lru_cache(maxsize=64)
+@lru_cache(maxsize=1024)
 def _spans(text: str) -> tuple[Span, ...]:
     tree = parsed(text) if any(word in text for word in _WORDS) else None
     if tree is None:

@@ -8,6 +8,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from haros_ci.follow.made import MadeEntity
+from haros_ci.graph.parameters import YamlFiles
 from haros_ci.graph.ros2_process import Process
 from haros_ci.index.behavior_tree_files import TreeFiles
 from haros_ci.index.plugins import PluginDescription
@@ -46,8 +47,8 @@ class Context:
     any_tree: bool = field(default=False, kw_only=True)
     #: The value of a parameter that the configuration sets (a Choice if under a condition), None if it does not.
     parameter: Function_[[str], Value | None]
-    #: The data of a YAML file by the path as values have it; None if it is not in the workspace.
-    read_yaml: Function_[[str], Value | None]
+    #: The YAML files of the workspace by their paths as values have them.
+    read_yaml: YamlFiles
     #: The pointed-to remapping of an absolute name.
     remap: Function_[[str], str] = lambda name: name
     #: The remappings of absolute names.

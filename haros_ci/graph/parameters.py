@@ -7,6 +7,7 @@ import posixpath
 import re
 from collections.abc import Iterable
 from dataclasses import dataclass
+from hashlib import blake2b
 from typing import Any
 
 from haros_ci.model.architecture import Condition, Parameter
@@ -163,24 +164,35 @@ def _value(parameters: list[Parameter], under: tuple[Condition, ...]) -> Value:
     return Known(parameter.value)
 
 
-def yaml_reader(files: Files) -> Any:
-    """A function from a path as values have it (or ``"\\n"`` and YAML text itself) to its data; None if not here."""
+@dataclass(frozen=True, slots=True)
+class YamlFiles:
+    """The YAML files of a workspace, by paths as values have them."""
 
-    def read(path: str) -> Value | None:
-        text = path[1:] if path.startswith("\n") else None
+    files: Files
+
+    def __call__(self, path: str) -> Value | None:
+        """The data of a file, or of the YAML text after a line feed; None if it is not here."""
+        text = path[1:] if path.startswith("\n") else self.text(path)
         if text is None:
-            own = _IN_WORKSPACE.fullmatch(path)
-            place = files.place(literal(path.replace("$(find-pkg-share ", "$(find "))) if own is None else None
-            found = place.path if place is not None else posixpath.normpath(f"{own[1]}/{own[2]}") if own else None
-            if found is None or not files.has(posixpath.normpath(found)):
-                return None
-            text = files.workspace.text(found)
+            return None
         try:
             return Known(plain(read_yaml(literal(text))))
         except YamlError as error:
             return Opaque(f"the YAML cannot be read: {error}")
 
-    return read
+    def text(self, path: str) -> str | None:
+        """The text of a file; None if it is not here."""
+        own = _IN_WORKSPACE.fullmatch(path)
+        place = self.files.place(literal(path.replace("$(find-pkg-share ", "$(find "))) if own is None else None
+        found = place.path if place is not None else posixpath.normpath(f"{own[1]}/{own[2]}") if own else None
+        if found is None or not self.files.has(posixpath.normpath(found)):
+            return None
+        return self.files.workspace.text(found)
+
+    def digest(self, path: str) -> str:
+        """A digest of the text of a file, "" if it is not here: what is read of it is the same where this is."""
+        text = self.text(path)
+        return "" if text is None else blake2b(text.encode("utf-8", "surrogatepass"), digest_size=16).hexdigest()
 
 
 def plain(value: YamlValue) -> Any:

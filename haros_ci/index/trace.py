@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, Generic, TypeVar, overload
 
-from haros_ci.syntax import Function
+from haros_ci.syntax import Alias, Function
 from haros_ci.syntax.source import Source
 
 if TYPE_CHECKING:
@@ -16,8 +16,6 @@ if TYPE_CHECKING:
 Entity = TypeVar("Entity")
 Default = TypeVar("Default")
 
-#: Stands for all YAML files of the workspace among paths.
-YAML_FILES = "*.yaml"
 #: Stands for all XML files, and for what directories have.
 XML_FILES = "*.xml"
 
@@ -28,7 +26,8 @@ class Trace:
 
     *names* are the last parts of names, *paths* those of C++ and Python files, *has_scanned* whether all classes were
     gone through, *bodies* the functions that were found or followed, by path and qualified name, *effects* those of which it was asked what they
-    change, by identity, *roots* the files from which it was looked for what their code can reach, *is_whole* whether this is all: other inputs (plug-ins that load others, YAML files) are not traced.
+    change, by identity, *roots* the files from which it was looked for what their code can reach, *read* the digests of YAML files by their paths as values have them ("" for one
+    that is not there), *is_whole* whether this is all: other inputs (plug-ins that load others) are not traced.
     """
 
     names: set[str] = field(default_factory=set)
@@ -36,6 +35,7 @@ class Trace:
     has_scanned: bool = False
     is_whole: bool = True
     roots: set[str] = field(default_factory=set)
+    read: dict[str, str] = field(default_factory=dict)
     bodies: set[tuple[str, str]] = field(default_factory=set)
     effects: dict[int, tuple[Source, Function, frozenset[str]]] = field(default_factory=dict)
     #: What ``Index.near`` has found, and the names that were looked up in each table.
@@ -43,8 +43,13 @@ class Trace:
     seen: dict[int, set[str]] = field(default_factory=dict, repr=False, compare=False)
 
     def found(self, items: Iterable[tuple[Source, object]]) -> None:
-        """Note what a look-up has found: entities, each with its source."""
+        """Note what a look-up has found: entities, each with its source.
+
+        Imports of Python have no place and mean the same whatever else is in their file: their names alone tell of them.
+        """
         for source, entity in items:
+            if isinstance(entity, Alias) and source.separator == ".":
+                continue
             self.paths.add(source.path)
             if isinstance(entity, Function):
                 self.bodies.add((source.path, entity.name))

@@ -16,7 +16,7 @@ from zlib import crc32
 from haros_ci import syntax
 from haros_ci.index.index import Index, Source
 from haros_ci.index.relevance import Answers, Relevance
-from haros_ci.index.trace import XML_FILES, YAML_FILES, Trace
+from haros_ci.index.trace import XML_FILES, Trace
 from haros_ci.keeping.moves import Lines, moves
 from haros_ci.syntax import Alias, Class, Directive, Field, Function, Program
 from haros_ci.syntax.codec import plain
@@ -30,7 +30,8 @@ class Consulted:
     """A ``Trace`` made small: paths; the last parts of names, and functions whose bodies were seen, as numbers.
 
     *view* are the language and ROS version of the code that counts, and its files if not all do. *answers* are whether names of functions
-    may make something, *effects* what functions change; None where they cannot be asked for again.
+    may make something, *effects* what functions change; None where they cannot be asked for again. *read* are the digests of YAML files, by their paths
+    as values have them.
     """
 
     paths: tuple[str, ...]
@@ -41,6 +42,7 @@ class Consulted:
     view: tuple[str, int, tuple[str, ...]] = ("", 0, ())
     answers: Answers | None = None
     effects: tuple[Effect, ...] | None = None
+    read: tuple[tuple[str, str], ...] = ()
 
 
 @dataclass(slots=True)
@@ -78,6 +80,7 @@ def small(trace: Trace, relevance: Relevance, view: tuple[str, int, frozenset[st
         (*view[:2], tuple(sorted(view[2]))),
         relevance.answers(),
         tuple(sorted(known)) if len(known) == len(effects) else None,
+        tuple(sorted(trace.read.items())),
     )
 
 
@@ -126,17 +129,20 @@ def _sum_of(names: frozenset[str]) -> int:
 
 @dataclass(frozen=True, slots=True)
 class Now:
-    """The workspace as it is: *visible* gives all files whose code some files can run, *relevance* what counts in a view."""
+    """The workspace as it is: *visible* gives all files whose code some files can run, *relevance* what counts in a view, *digest* that of a YAML file."""
 
     indexes: Sequence[Index]
     sources: Mapping[str, Source]
     visible: Callable[[frozenset[str]], frozenset[str]]
     relevance: Callable[[str, int, frozenset[str]], Relevance | None]
+    digest: Callable[[str], str]
 
 
 def holds(consulted: Consulted, change: SourceChange, now: Now) -> bool:
     """Whether what was consulted is as it was."""
     if change.is_all or not change.paths.isdisjoint(consulted.paths):
+        return False
+    if any(now.digest(path) != digest for path, digest in consulted.read):
         return False
     if change.names and consulted.has_scanned and change.is_shape:
         return False
@@ -188,7 +194,7 @@ def change_of(
     for path in sorted(now):
         if before[path] == now[path]:
             continue
-        if path in (YAML_FILES, XML_FILES):
+        if path == XML_FILES:
             change.paths.add(path)
             continue
         old, new = source_before(path, before[path]), source_now(path)

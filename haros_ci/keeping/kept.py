@@ -90,6 +90,7 @@ def written(files: Mapping[str, str], followed: Iterable[tuple[Any, Followed]]) 
             [*trace.view[:2], known(trace.view[2])],
             None if trace.answers is None else [numbered(group) for group in trace.answers],
             None if trace.effects is None else numbers_of(trace.effects),
+            [list(pair) for pair in trace.read],
         ]
         for trace in traces
     ]
@@ -212,7 +213,7 @@ def read(
 
 
 def _consulted(data: Any, paths: Sequence[str], every: Sequence[str]) -> Consulted:
-    known, names, scanned, roots, bodies, view, answers, effects = data
+    known, names, scanned, roots, bodies, view, answers, effects, texts = data
     language, version, files = view
     numbers = () if effects is None else _unpacked(effects)
     if len(numbers) % 4:
@@ -229,6 +230,7 @@ def _consulted(data: Any, paths: Sequence[str], every: Sequence[str]) -> Consult
         None
         if effects is None
         else tuple((paths[_index(p, paths)], every[_index(n, every)], at, number) for p, n, at, number in groups),
+        tuple((_text(path), _text(digest)) for path, digest in texts),
     )
 
 

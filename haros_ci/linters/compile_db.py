@@ -9,7 +9,7 @@ from __future__ import annotations
 import json
 import os
 import stat
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from pathlib import Path
 
 from haros_ci.linters import sandbox
@@ -37,7 +37,7 @@ def flags_by_file(workspace: Workspace, options: LintOptions) -> dict[str, tuple
     """
     checkout, root = os.path.realpath(options.root or workspace.root), os.path.realpath(workspace.root)
     try:
-        entries = json.loads(_read(Path(checkout), options.compile_database))
+        entries = json.loads(_read(Path(checkout), options.compile_database, workspace.hiding.databases))
     except (ValueError, RecursionError):
         return {}
     known = {file.path for file in workspace.files}
@@ -57,13 +57,18 @@ def directories(flags: Iterable[str]) -> tuple[str, ...]:
     return tuple(flag.removeprefix("-I") for flag in flags if flag.startswith(("/", "-I/")))
 
 
-def _read(root: Path, path_given: str | None) -> str:
-    """The text of the database; "" if there is none, and where a link in the checkout leads out of it: a change can bring such a link."""
+def _read(root: Path, path_given: str | None, refused: Collection[str] = ()) -> str:
+    """The text of the database; "" if there is none, and where a link in the checkout leads out of it: a change can bring such a link.
+
+    None of those *refused* is read, which a change brings, by whatever link.
+    """
     path = root / (path_given if path_given is not None else "build")
     if path.is_dir():
         path /= "compile_commands.json"
     written, real = os.path.abspath(path), os.path.realpath(path)
     if _is_allowed(written, str(root), of_system=False) and not _is_allowed(real, str(root), of_system=False):
+        return ""
+    if not {os.path.relpath(place, root) for place in (written, real)}.isdisjoint(refused):
         return ""
     try:
         with open(os.open(real, os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC), "rb") as file:

@@ -15,11 +15,12 @@ from haros_ci.linters.catalogue.cppcheck import UNSURE
 from haros_ci.linters.cppcheck_doubts import is_refuted, self_initialized_line
 from haros_ci.linters.cppcheck_indices import OF_INDICES, is_multiple, is_searched
 from haros_ci.linters.doubting import Doubting
-from haros_ci.linters.linter import Batch, Command, Finding, GaveUp, LintOptions, Output, Program, Unit, When
+from haros_ci.linters.linter import Batch, Command, Finding, GaveUp, LintOptions, Output, Program, Unit, When, refuted
 from haros_ci.linters.tool_xml import ToolElement, elements
 from haros_ci.model.location import Location
 from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Store, Workspace
+from haros_ci.results.code_alone import code_alone
 from haros_ci.results.result import Related, Result
 from haros_ci.results.rule import Level
 
@@ -171,6 +172,8 @@ def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
         if is_doubted and (
             is_refuted(rule, error.attributes["msg"], line, text) or _is_never_so(error, batch.workspace)
         ):
+            result = refuted(_result(error, batch.workspace))
+            yield from (Finding(unit, result) for unit in units)
             continue
         if rule == "selfInitialization":
             right = self_initialized_line(error.attributes["msg"], line, batch.workspace.text(at))
@@ -187,8 +190,12 @@ def _is_never_so(error: ToolElement, workspace: Workspace) -> bool:
     """Whether the places that lead to a negative index rule it out."""
     if error.attributes["id"] not in OF_INDICES:
         return False
+
+    def code(path: str) -> str:
+        return code_alone(workspace.text(path), "c")
+
     steps = [(child["file"], int(child["line"]), child.get("info", "")) for child in error.children]
-    return is_multiple(steps[0][1], workspace.text(steps[0][0])) or is_searched(steps, workspace.text)
+    return is_multiple(steps[0][1], code(steps[0][0])) or is_searched(steps, code)
 
 
 def _setup(root: str, home: str, flags: tuple[str, ...]) -> tuple[tuple[str, ...], tuple[str, ...]]:

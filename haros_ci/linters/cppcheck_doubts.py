@@ -20,6 +20,7 @@ from haros_ci.linters.cppcheck_uses import (
     is_pointed_to,
 )
 from haros_ci.linters.cppcheck_ways import OF_WAYS, is_list_of_values, sets_nothing
+from haros_ci.results.code_alone import code_alone
 from haros_ci.results.scope import scopes
 
 #: A literal of the user's own that takes a default, as pybind11's arguments do: ``"steps"_a = false``.
@@ -95,13 +96,14 @@ _BY_ONE = re.compile(r"%=?\s*(?:\(\s*)?1\b")
 _OF_CONDITIONS = frozenset({"identicalInnerCondition", "duplicateCondition"})
 
 
-def is_refuted(rule: str, message: str, line: int, text: str) -> bool:  # noqa: C901 - one branch for each rule
-    """Whether the *text* refutes what cppcheck says by *rule* at *line*, counted from 1.
+def is_refuted(rule: str, message: str, line: int, whole: str) -> bool:  # noqa: C901 - one branch for each rule
+    """Whether the text of a file refutes what cppcheck says by *rule* at *line*, counted from 1.
 
     Cppcheck 2.22 takes a string with a suffix for a pointer, and does not see that a ``case`` reads the constant that
     is its label. It does not know which classes are views of what others own, takes each name of a structured binding for a
-    variable of its own, and looks at one preprocessor configuration.
+    variable of its own, and looks at one preprocessor configuration. Comments and texts refute nothing, but for what is leaked, declared or commented out on purpose.
     """
+    text = code_alone(whole, "c")
     if rule == "assignBoolToPointer" and has_no_truth_value(_line(text, line)):
         return True
     if rule in OF_LIFETIMES and may_be_alive(rule, message, line, text):
@@ -148,28 +150,28 @@ def is_refuted(rule: str, message: str, line: int, text: str) -> bool:  # noqa: 
     if rule == "duplicateExpression":
         return _is_of_numbers(message, _line(text, line))
     if rule == "memleak":  # who names it so, or says so just above, means it
-        near = "\n".join(text.split("\n")[max(line - 7, 0) : line])
+        near = "\n".join(whole.split("\n")[max(line - 7, 0) : line])
         return _LEAKED.search(message) is not None or any(_LEAKS.search(match[0]) for match in _COMMENT.finditer(near))
     if rule in _OF_PROVOKED:
         return _is_provoked(line, text)
-    if rule == "unusedVariable" and is_meant(line, text):
+    if rule == "unusedVariable" and is_meant(line, whole):
         return True
     subject = _SUBJECT.search(message) if rule in _OF_UNUSED else None
-    return subject is not None and _is_used(subject[1] or subject[2], line, text)
+    return subject is not None and _is_used(subject[1] or subject[2], line, text, whole)
 
 
-def _is_used(subject: str, line: int, text: str) -> bool:
+def _is_used(subject: str, line: int, text: str, whole: str) -> bool:
     """Whether *subject*, which cppcheck calls unused, is a part of something else, or used where cppcheck does not look."""
     if "(" in subject:  # an element by a call: only a class has those, and who else has the matrix is not known
         return True
-    if not re.fullmatch(r"\w+", subject) or subject not in text:
+    if not re.fullmatch(r"\w+", subject) or subject not in whole:
         return False
     if any(re.search(pattern.format(name=subject), text) for pattern in (_VIEW, _PART, _BINDING)):
         return True
     if re.search(rf"\bcase\s[^:;{{}}]{{0,200}}\b{subject}\b", text):
         return True
     word = re.compile(rf"\b{subject}\b")
-    return any(word.search(part) for part in (*_switched(line, text), *_commented_out(line, text)))
+    return any(word.search(part) for part in (*_switched(line, text), *_commented_out(line, whole)))
 
 
 def _line(text: str, line: int) -> str:
@@ -283,7 +285,18 @@ def _is_exhaustive(line: int, text: str) -> bool:
     body = body[:end]
     labels = re.findall(r"\bcase\s+([^;{}?]{1,200}?)\s*(?<!:):(?!:)", body)
     scopes_of = {label.rpartition("::")[0] for label in labels}
-    return depth == 0 and len(labels) > 1 and len(scopes_of) == 1 and "" not in scopes_of and "default" not in body
+    if depth or len(labels) < 2 or len(scopes_of) != 1 or "" in scopes_of or "default" in body:
+        return False
+    return _enumerators(scopes_of.pop().rpartition("::")[2], text) <= {label.rpartition("::")[2] for label in labels}
+
+
+def _enumerators(name: str, text: str) -> set[str]:
+    """Those of the enumeration called *name*, if *text* defines one alone; of any other nothing is known."""
+    if not re.fullmatch(r"\w+", name):
+        return set()
+    found = re.findall(rf"\benum\s+(?:class\s+|struct\s+)?{name}\b[^{{}};]{{0,100}}\{{([^{{}}]{{0,20000}})\}}", text)
+    parts = [part.partition("=")[0].split() for part in found[0].split(",")] if len(found) == 1 else []
+    return {words[0] for words in parts if words}
 
 
 def self_initialized_line(message: str, line: int, text: str) -> int:

@@ -42,17 +42,22 @@ def may_be_alive(rule: str, message: str, line: int, text: str) -> bool:
         points = _POINTING.search(message)
         if points is not None and _is_moved(points[1], lines[line - 1]):
             return True
-        return kept is not None and _is_returned_by_a_call(kept[1], kept[2], near)
+        return kept is not None and _is_returned_by_a_call(kept[1], kept[2], near, text)
     returned = _RETURNED.search(message)
     return copies_what_it_returns(line, text) or (returned is not None and _is_of_a_view(returned[1], near))
 
 
-def _is_returned_by_a_call(name: str, local: str, near: str) -> bool:
-    """Whether all that *name* is set to with *local* in it are calls of functions that are not known to pass their arguments on."""
+def _is_returned_by_a_call(name: str, local: str, near: str, text: str) -> bool:
+    """Whether all that *name* is set to with *local* in it are calls of functions of which nothing is known: that pass no argument on, and are not of the file."""
     assigned = re.findall(rf"\b{name}\s*=(?!=)\s*([^;{{}}]{{1,600}});", near)
     sources = [source for source in assigned if re.search(rf"\b{local}\b", source)]
     calls = [re.match(r"(?:[\w.]+(?:->|::))*(\w+)\s*\(", source) for source in sources]
-    return bool(calls) and all(call is not None and call[1] not in _PASSING for call in calls)
+    return bool(calls) and all(
+        call is not None
+        and call[1] not in _PASSING
+        and re.search(rf"\b{call[1]}\s*\([^;{{}}]{{0,400}}\)[\s\w]{{0,40}}\{{", text) is None
+        for call in calls
+    )
 
 
 def _is_moved(local: str, line: str) -> bool:

@@ -13,6 +13,9 @@ _REGISTER = re.compile(
 )
 _NAME = re.compile(r"(?<![\w.>])[A-Za-z_]\w{0,80}")
 _LONGEST = 1000
+_EXTERN = re.compile(r"^[ \t]*extern\b[^;(){}]{1,400};", re.MULTILINE)
+#: A declaration of the file's own, which hides a symbol: ``int one[2]``, ``char * one =``.
+_OWN = r"\b(?!return\b|else\b|case\b|goto\b|new\b|delete\b|sizeof\b)[A-Za-z_]\w*[ \t*&]+{name}[ \t]*[\[=;,({{)]"
 #: Words of a declaration that are no names of symbols.
 _TYPES = frozenset("extern const volatile unsigned signed char short int long float double void struct".split())
 _TYPES |= {f"{sign}int{size}_t" for sign in ("", "u") for size in (8, 16, 32, 64)}
@@ -27,5 +30,7 @@ def is_of_firmware(rule: str, line: str, text: str) -> bool:
     if rule == "constStatement":
         return _REGISTER.match(line) is not None
     names = set(_NAME.findall(line))
-    declared = (match[0] for match in re.finditer(r"^[ \t]*extern\b[^;(){}]{1,400};", text, re.MULTILINE))
-    return any(names & set(_NAME.findall(declaration)) - _TYPES for declaration in declared)
+    declared = (match[0] for match in _EXTERN.finditer(text))
+    symbols = {name for declaration in declared for name in names & set(_NAME.findall(declaration)) - _TYPES}
+    rest = _EXTERN.sub("", text)
+    return any(re.search(_OWN.format(name=name), rest) is None for name in symbols)

@@ -104,10 +104,24 @@ def is_pointed_to(line: int, text: str) -> bool:
         made = _REFERENCE.search(lines[number - 1][:_LONGEST])
         if made is None or made[1] not in names:
             continue
-        if re.search(r"[\])]\s?->", made[2]):
+        if _is_pointed_at(made[2]):
             return _MADE_ANEW.search(made[2]) is None
         names |= set(re.findall(r"[A-Za-z_]\w*", made[2]))
     return False
+
+
+def _is_pointed_at(value: str) -> bool:
+    """Whether *value* as a whole is what a pointer points to, ``made()[0]->part``: not an argument of a call, nor an operand."""
+    depth = 0
+    arrow = None
+    for found in re.finditer(r"[\])]\s?->|[()\[\]]", value):
+        depth += {"(": 1, "[": 1}.get(found[0][0], -1)
+        if depth == 0 and found[0].endswith("->"):
+            arrow = found.end()
+    return (
+        arrow is not None
+        and re.fullmatch(r"\s?\w+(?:\s?(?:\.|->)\s?\w+|\s?\[[^\[\]]*\]|\s?\([^()]*\))*\s?", value[arrow:]) is not None
+    )
 
 
 #: What a comment says of a declaration that is there to be compiled, or for what its constructor does.

@@ -10,6 +10,10 @@ from haros_ci.linters.cppcheck_conditions import has_large_constant
 from haros_ci.linters.cppcheck_uses import is_read_checked
 
 _THROW = re.compile(r"\bthrow\b")
+#: A macro with a ``throw`` in it, over several lines, too.
+_THROWING = re.compile(
+    r"^[ \t]*#[ \t]*define[ \t]+([A-Za-z_]\w{0,100})(?:[^\n\\]|\\\r?\n|\\.){0,2000}?\bthrow\b", re.MULTILINE
+)
 #: ``Resource leak: file`` and ``Comparing expression of type 'unsigned char' against value 255.``
 _RESOURCE = re.compile(r": (\w+)\.?$")
 _VALUE = re.compile(r"against value (-?\d+)")
@@ -25,6 +29,8 @@ _FAILED = (
     rf"|\b{{name}}\s*=(?!=)[^;]{{{{0,300}}}}\)\s*(?:==|<=|<)\s*{_NOTHING}(?!\w)"
     rf"|(?<!\w){_NOTHING}\s*(?:==|>=|>)\s*{{name}}\b"
 )
+#: What turns a condition round: ``(file == nullptr) == false``, ``!(!file)``.
+_TWISTED = re.compile(r"\b(?:true|false|not)\b|![\s(]*!|!\s*\([^()]*[=!<>]=|[=!<>]=[^()]*\)\s*[=!]=|\^|\?")
 _HIDDEN = re.compile(r"//[^\n]*|/\*.*?(?:\*/|\Z)|\"(?:[^\"\\\n]|\\.){0,1000}\"|'(?:[^'\\\n]|\\.){1,8}'", re.DOTALL)
 _IF = re.compile(r"\bif\s*\(")
 _ITSELF = re.compile(r"of '([^']{1,200})' to itself")
@@ -36,8 +42,11 @@ _LONGEST = 4_000
 
 
 def is_thrown_elsewhere(message: str, line: int, text: str) -> bool:
-    """Whether no ``throw`` stands at *line*: whether the checks of a function that is called there can fail depends on what it is given."""
-    return _THROW.search(_HIDDEN.sub("", _line(text, line))) is None
+    """Whether no ``throw``, nor a macro of the file with one, stands at *line*: whether the checks of a function that is called there can fail depends on what it is given."""
+    here = _HIDDEN.sub("", _line(text, line))
+    if _THROW.search(here) is not None:
+        return False
+    return all(re.search(rf"\b{macro}\b", here) is None for macro in _THROWING.findall(text))
 
 
 def has_not_opened(message: str, line: int, text: str) -> bool:
@@ -49,7 +58,7 @@ def has_not_opened(message: str, line: int, text: str) -> bool:
     before = "\n".join(lines[: line - 1])[-_LONGEST:]
     before = _HIDDEN.sub(lambda found: re.sub(r"[^\n]", " ", found[0]), before)
     condition = _condition_around(before)
-    if condition is None or "||" in condition:
+    if condition is None or "||" in condition or _TWISTED.search(condition) is not None:
         return False
     return re.search(_FAILED.format(name=re.escape(name[1])), condition) is not None
 

@@ -7,6 +7,7 @@ import re
 
 from haros_ci.linters.pylint_statements import called_at
 from haros_ci.model.workspace import Workspace
+from haros_ci.results.code_alone import code_alone
 from haros_ci.results.result import Result
 
 #: Decorators that leave the parameters of a function, or of a class's constructor, as pylint knows them, by their last name.
@@ -20,10 +21,10 @@ _DEFINITION = re.compile(r"^[ \t]*(?:(?:async[ \t]+)?def|class)[ \t]+(\w+)")
 
 
 def decorators(text: str, name: str) -> list[list[str]]:
-    """The last names of the decorators of each function or class called *name* that *text* defines."""
+    """The last names of the decorators of each function or class called *name* that *text* defines in its code."""
     found: list[list[str]] = []
     waiting: list[str] = []
-    for line in text.split("\n"):
+    for line in code_alone(text, "python").split("\n"):
         decorator, definition = _DECORATED.match(line), _DEFINITION.match(line)
         if decorator:
             waiting.append(decorator[1].rpartition(".")[2])

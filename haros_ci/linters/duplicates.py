@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 
 from haros_ci.linters.catalogue.same_defect import SAME_DEFECT
+from haros_ci.results.code_alone import code_alone
 from haros_ci.results.result import Result
 
 #: pylint cannot know these names when a wildcard import brings them from a package that is not installed, as messages
@@ -58,7 +59,7 @@ def drop_unfounded(results: Iterable[Result], text: Callable[[str], str]) -> tup
     """*results* without names that pylint calls undefined in a file with a wildcard import; *text* reads a path."""
     found = tuple(results)
     paths = {result.location.path for result in found if result.full_id == _UNFOUNDED}
-    blind = {path for path in paths if _WILDCARD.search(text(path))}
+    blind = {path for path in paths if _WILDCARD.search(code_alone(text(path), "python"))}
     return tuple(r for r in found if r.full_id != _UNFOUNDED or r.location.path not in blind)
 
 

@@ -151,19 +151,22 @@ def _ask(
     if output.code < 0:
         raise _Failed(f"was ended by signal {-output.code}")
     clean = _Cleaner(_here(own, working, workspace.root), task.gate)
-    answers = _answers(task.linter, output, batch, units, clean)
+    answers = _answers(task.linter, output, batch, units, clean, processes)
     other = task.options.beside.get(task.linter.NAME)
-    return answers, _answers(other, output, batch, units, clean) if other is not None else [], output.seconds
+    beside = _answers(other, output, batch, units, clean, processes) if other is not None else []
+    return answers, beside, output.seconds
 
 
 def _answers(
-    linter: Linter, output: Output, batch: Batch, units: tuple[Unit, ...], clean: _Cleaner
+    linter: Linter, output: Output, batch: Batch, units: tuple[Unit, ...], clean: _Cleaner, processes: Processes
 ) -> list[tuple[str, Answer]]:
-    """What *linter* reads out of an output, by path."""
+    """What *linter* reads out of an output, by path; a run that is abandoned meanwhile is not waited for: Unstartable."""
     by_path = {unit.file.path: unit for unit in units}
     collected: dict[str, tuple[list[Result], list[GaveUp]]] = {path: ([], []) for path in by_path}
     try:
         for answer in linter.parse(output, batch):
+            if processes.is_stopped:
+                raise Unstartable("the run was abandoned")
             results, gave_up = collected[answer.unit]
             if isinstance(answer, Finding):
                 if len(results) == MOST:

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from enum import Enum
 from pathlib import Path
 from typing import Protocol
@@ -17,6 +17,8 @@ from haros_ci.results.rule import Level
 
 #: What pylint says of each finding that a comment silences (I0020). It is no finding, but kept whatever is selected, so that more of them are noticed.
 SILENCED = "suppressed-message"
+#: Stands before the rule of a finding that the code around it speaks against: it is not reported, and named where a change brings it.
+REFUTED = "refuted:"
 
 
 @dataclass(frozen=True, slots=True)
@@ -115,6 +117,11 @@ class Finding:
 
     unit: str
     result: Result
+
+
+def refuted(result: Result) -> Result:
+    """*result* as one that the code around it speaks against."""
+    return replace(result, rule=f"{REFUTED}{result.rule}")
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,6 +6,7 @@ from __future__ import annotations
 import re
 
 from haros_ci.model.workspace import Workspace
+from haros_ci.results.code_alone import code_alone, without_comments
 
 _LOADS = re.compile(
     r"\bload_source\s*\(|\bspec_from_file_location\s*\(|\bSourceFileLoader\s*\(|\bexecfile\s*\(|\brun_path\s*\("
@@ -22,10 +23,10 @@ _NAMING = frozenset(("yaml", "launch", "xml"))
 def loaded_files(workspace: Workspace) -> frozenset[str]:
     """The names of Python files that code which loads files by path names, or that a parameter gives where there is such code."""
     loaders = [
-        text
+        without_comments(text, "python")
         for file in workspace.files
         if file.language in ("python", "launch") and not file.path.endswith(_ASIDE)
-        if _LOADS.search(text := workspace.text(file.path))
+        if _LOADS.search(text := workspace.text(file.path)) and _LOADS.search(code_alone(text, "python"))
     ]
     found = {name for text in loaders for name in _IN_CODE.findall(text)}
     if loaders:

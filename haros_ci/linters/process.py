@@ -32,6 +32,9 @@ STALL = 60.0
 #: By how much that is divided once it has stayed so long with one, two and more of its files: all of a hostile set together cost little more than the first.
 _IMPATIENCE = (1, 3, 6, 12)
 
+#: Seconds that one tool may lose in processes that were ended before they were done; whatever of it is left then is not started.
+LOST = 900.0
+
 _LIMITING = threading.Lock()
 
 
@@ -59,6 +62,12 @@ class Processes:
         self._alive: set[subprocess.Popen[bytes]] = set()
         self._stopped = False
         self._stalls: dict[str, int] = {}
+        self._lost: dict[str, float] = {}
+
+    @property
+    def is_stopped(self) -> bool:
+        """Whether the run is abandoned: nothing needs what a process has said."""
+        return self._stopped
 
     def run(
         self,
@@ -70,16 +79,19 @@ class Processes:
         confinement: Confinement | None = None,
         tool: str = "",
     ) -> Output:
-        """What *command* left behind. Raises TimedOut (Stalled if it is known at which file), Unstartable.
+        """What *command* left behind. Raises TimedOut (Stalled if it is known at which file), Unstartable; the latter, too, once the *tool* has lost LOST seconds.
 
         The more files the *tool* has stalled at in other processes, the sooner it is taken to do so. With *confinement* it can open nothing else, as far as this machine can see to that. Both streams go to files in *scratch*: neither a full pipe nor an orphan that holds one open can then hang us.
         """
+        if self._lost.get(tool, 0.0) >= LOST:
+            raise Unstartable(f"it has been stopped for {LOST:g} s in all")
         scratch.mkdir(parents=True, exist_ok=True)
         streams = [scratch / name for name in (".stdin", ".stdout", ".stderr")]
         streams[0].write_bytes(command.stdin)
         with open(streams[0], "rb") as stdin, open(streams[1], "wb") as stdout, open(streams[2], "wb") as stderr:
             files = (stdin.fileno(), stdout.fileno(), stderr.fileno())
             process, lifeline = self._start(command, root, scratch, files, confinement)
+        began = time.monotonic()
         limit(process.pid, timeout)
         expired = threading.Event()
 
@@ -107,6 +119,9 @@ class Processes:
                 self._alive.discard(process)
             lifeline.close()
         kill_group(process)  # what it may have left running
+        if stalled.is_set() or expired.is_set():
+            with self._lock:
+                self._lost[tool] = self._lost.get(tool, 0.0) + (time.monotonic() - began)
         if stalled.is_set() and command.progress is not None:
             begun = command.progress.findall(_head(streams[1]))
             with self._lock:

@@ -13,7 +13,19 @@ from haros_ci.linters import columns, doubled_values, growth, imports, installed
 from haros_ci.linters.catalogue.pylint import NOT_FATAL
 from haros_ci.linters.dead_statements import OF_FILES, is_dead
 from haros_ci.linters.doubting import Doubting
-from haros_ci.linters.linter import SILENCED, Batch, Command, Finding, GaveUp, LintOptions, Output, Program, Unit, When
+from haros_ci.linters.linter import (
+    SILENCED,
+    Batch,
+    Command,
+    Finding,
+    GaveUp,
+    LintOptions,
+    Output,
+    Program,
+    Unit,
+    When,
+    refuted,
+)
 from haros_ci.linters.noqa import is_silenced
 from haros_ci.linters.pylint_config import config_path, inert_options
 from haros_ci.linters.pylint_doubts import is_refuted
@@ -141,12 +153,14 @@ def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
             yield GaveUp(file.path, python2.why_unreadable(batch.workspace.text(file.path)), report["line"] or None)
         elif rule in TROUBLE:
             yield GaveUp(file.path, f"{rule}, a fault of pylint")  # the message holds paths of this machine
-        elif not _is_doubted(report, file.path, batch.workspace.text(file.path), doubting):
+        elif _is_doubted(report, file.path, batch.workspace.text(file.path), doubting):
+            yield Finding(file.path, refuted(_result(file.path, report)))
+        elif not is_silenced(rule, batch.workspace.text(file.path), report["line"]):
             yield Finding(file.path, _result(file.path, report))
 
 
 def _is_doubted(report: dict[str, Any], path: str, text: str, doubting: Doubting) -> bool:
-    """Whether the *text* refutes what pylint has *report*, or its author has silenced the same of another tool."""
+    """Whether the *text* refutes what pylint has *report*."""
     rule, line = report["symbol"], report["line"]
     if doubting.may(path, rule, text):
         if is_refuted(rule, line, report["column"], text):
@@ -155,7 +169,7 @@ def _is_doubted(report: dict[str, Any], path: str, text: str, doubting: Doubting
             return True
         if rule == "no-value-for-parameter" and _OF_CLASS.search(report["message"]) is not None:
             return is_made_by_hand(text, line, report["column"])
-    return is_silenced(rule, text, line)
+    return False
 
 
 def _is_of_another_python(text: str, report: dict[str, Any]) -> bool:

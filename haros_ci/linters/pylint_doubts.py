@@ -31,6 +31,7 @@ from haros_ci.linters.pylint_statements import (
 )
 from haros_ci.linters.python2 import runs_only_on_python2
 from haros_ci.linters.python_defaults import is_only_read
+from haros_ci.results.code_alone import code_alone
 from haros_ci.results.overwritten import is_overwritten, is_used_before
 from haros_ci.results.scope import scopes
 
@@ -89,7 +90,11 @@ _RAISED = (
 
 
 def is_refuted(rule: str, line: int, column: int, text: str) -> bool:  # noqa: C901 - one branch for each rule
-    """Whether the *text* refutes what pylint says by *rule* at *line*, counted from 1, and *column*, from 0."""
+    """Whether the *text* refutes what pylint says by *rule* at *line*, counted from 1, and *column*, from 0.
+
+    Comments and texts refute nothing, but for comments that say what is meant: that a name is kept, that a test is for NaN.
+    """
+    code = code_alone(text, "python")
     if rule in _OF_VALUES and takes_value(text, line):
         return True
     if rule in _OF_CALLS and is_to_fail(text, line):
@@ -97,16 +102,16 @@ def is_refuted(rule: str, line: int, column: int, text: str) -> bool:  # noqa: C
     if rule in _RAISED and is_overwritten(text, line):
         return True
     if rule == "no-value-for-parameter":
-        return _is_decorated(text, line, column)
+        return _is_decorated(code, line, column)
     if rule in ("pointless-statement", "expression-not-assigned"):
-        is_call = rule == "expression-not-assigned" and (_is_loop(text, line, column) or is_choice_of_calls(text, line))
-        return is_call or is_stub(text, line) or _is_on_purpose(text, line)
+        is_call = rule == "expression-not-assigned" and (_is_loop(code, line, column) or is_choice_of_calls(text, line))
+        return is_call or is_stub(text, line) or _is_on_purpose(text, code, line)
     if rule == "unreachable":
-        return _is_unwritten(text, line) or is_text(text, line)
+        return _is_unwritten(code, line) or is_text(text, line)
     if rule == "invalid-envvar-default":  # int() and float() take the default as well as the text
-        return 0 < line <= text.count("\n") + 1 and _CONVERTED.search(text.split("\n")[line - 1]) is not None
+        return 0 < line <= code.count("\n") + 1 and _CONVERTED.search(code.split("\n")[line - 1]) is not None
     if rule == "condition-evals-to-constant":
-        return _is_switched(text, line)
+        return _is_switched(code, line)
     if rule == "implicit-str-concat":
         return is_one_text(text, line)
     if rule == "too-many-format-args":
@@ -120,27 +125,27 @@ def is_refuted(rule: str, line: int, column: int, text: str) -> bool:  # noqa: C
     if rule == "function-redefined":
         return is_used_before(text, line)
     if rule == "invalid-sequence-index":
-        return is_index_of_array(text, line)
+        return is_index_of_array(text, line, column)
     if rule == "trailing-comma-tuple":
-        return _has_items(text, line)
+        return _has_items(code, line)
     if rule == "dangerous-default-value":
         return is_only_read(text, line)
     if rule == "too-many-function-args":
-        return _is_of_shapes(text, line, column)
+        return _is_of_shapes(code, line, column)
     if rule == "not-callable":
-        return _is_tested(text, line, column) or is_left_to_subclasses(text, line, column)
+        return _is_tested(code, line, column) or is_left_to_subclasses(code, line, column)
     if rule == "bad-thread-instantiation":
-        return is_placeholder(text, line)
+        return is_placeholder(code, line)
     if rule == "self-assigning-variable":
         return is_one_of_several(text, line)
     if rule in ("undefined-variable", "used-before-assignment"):
-        return is_counted_up(text, line) or _is_global_of_main(text, line, column)
+        return is_counted_up(text, line) or _is_global_of_main(code, line, column)
     if rule == "possibly-used-before-assignment":
-        return _is_of_main(text, line, column) or _is_module(text, line, column) or _is_of_platforms(text, line, column)
+        return _is_of_main(code, line, column) or _is_module(code, line, column) or _is_of_platforms(code, line, column)
     if rule == "no-self-argument":
         return is_class_method(text, line)
     if rule == "deprecated-module":
-        return _has_fallback(text, line)
+        return _has_fallback(code, line)
     if rule == "anomalous-backslash-in-string":  # Python 2 says nothing of it
         return runs_only_on_python2(text)
     return False
@@ -277,17 +282,17 @@ def _is_decorated(text: str, line: int, column: int) -> bool:
     return called is not None and is_decorated(text, called[1])
 
 
-def _is_on_purpose(text: str, line: int) -> bool:
-    """Whether a comment says so, or a block around it waits for what is raised."""
-    lines = text.split("\n")
+def _is_on_purpose(text: str, code: str, line: int) -> bool:
+    """Whether a comment at a name says so, or a block around it waits for what is raised; *code* is *text* without comments."""
+    lines = code.split("\n")
     if not 0 < line <= len(lines):
         return False
     here = lines[line - 1]
-    if _KEPT.search(here):
-        return True
     indent = len(here) - len(here.lstrip())
-    if _NAME.fullmatch(here.partition("#")[0].strip()):  # assigned just above: the idiom without its comment
-        assigned = re.compile(rf"{re.escape(here.partition('#')[0].rstrip())}[ \t]*(?::[^=\n]*)?=(?!=)")
+    if _NAME.fullmatch(here.strip()):
+        if _KEPT.search(text.split("\n")[line - 1]):
+            return True
+        assigned = re.compile(rf"{re.escape(here.rstrip())}[ \t]*(?::[^=\n]*)?=(?!=)")  # the idiom without its comment
         if any(assigned.match(above) for above in lines[max(line - 1 - _NEAR, 0) : line - 1]):
             return True
     for above in reversed(lines[max(line - 50, 0) : line - 1]):
@@ -297,7 +302,7 @@ def _is_on_purpose(text: str, line: int) -> bool:
 
 
 def _is_tested(text: str, line: int, column: int) -> bool:
-    """Whether the name that is called there is tested in the same function: pylint has followed its None only."""
+    """Whether the name that is called there is tested before, in the same function: pylint has followed its None only."""
     lines = text.split("\n")
     called = _NAME.match(lines[line - 1], column) if 0 < line <= len(lines) else None
     if called is None:
@@ -311,7 +316,7 @@ def _is_tested(text: str, line: int, column: int) -> bool:
     here = inside.at(line)
     return any(
         test.search(other_text[:_LONGEST]) and inside.at(number) == here
-        for number, other_text in enumerate(lines, start=1)
+        for number, other_text in enumerate(lines[:line], start=1)
     )
 
 

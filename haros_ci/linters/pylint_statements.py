@@ -148,7 +148,7 @@ def is_of_another(text: str, line: int) -> bool:
 
 
 def is_test_for_nan(text: str, line: int) -> bool:
-    """Whether a value is compared with itself there by ``!=``, which is true of NaN alone, in a file that knows NaN."""
+    """Whether a value is compared with itself there by ``!=``, which is true of NaN alone, in a file that knows NaN, or says so."""
     if _NAN.search(text) is None:
         return False
     return any(
@@ -174,8 +174,8 @@ def is_made_by_hand(text: str, line: int, column: int) -> bool:
     )
 
 
-def is_index_of_array(text: str, line: int) -> bool:
-    """Whether an index on *line* is, or is made of, what a function of NumPy gave, or is one into that: ``rows[np.unravel_index(k, shape)[0]]``.
+def is_index_of_array(text: str, line: int, column: int) -> bool:
+    """Whether the index of what begins at *line* and *column* is, or is made of, what a function of NumPy gave, or is one into that: ``rows[np.unravel_index(k, shape)[0]]``.
 
     Arrays take several indices at once (``np.dot(a, b)[0, i]``). pylint knows a few of these functions, and not what is in the arrays that they return.
     """
@@ -192,14 +192,15 @@ def is_index_of_array(text: str, line: int) -> bool:
             given.update(
                 inner.id for target in node.targets for inner in ast.walk(target) if isinstance(inner, ast.Name)
             )
+    place = (line, _byte(text, line, column))
+    every = [node for node in nodes(text) if isinstance(node, ast.Subscript)]
+    here = [node for node in every if (node.lineno, node.col_offset) == place]
+    # Before Python 3.12 what stands in a formatted text has no place of its own.
+    here = here or [node for node in every if node.slice.lineno <= line <= (node.slice.end_lineno or 0)]
     return any(
-        isinstance(node, ast.Subscript)
-        and node.slice.lineno <= line <= (node.slice.end_lineno or 0)
-        and any(
-            (isinstance(n, ast.Name) and n.id in given) or _is_called_on(n, names)
-            for n in (*ast.walk(node.slice), *((node.value,) if isinstance(node.slice, ast.Tuple) else ()))
-        )
-        for node in nodes(text)
+        (isinstance(n, ast.Name) and n.id in given) or _is_called_on(n, names)
+        for node in here
+        for n in (*ast.walk(node.slice), *((node.value,) if isinstance(node.slice, ast.Tuple) else ()))
     )
 
 

@@ -16,6 +16,13 @@ _READING = frozenset(
 )
 #: Types whose calls pylint and ruff take for mutable defaults.
 _MUTABLE = frozenset("Counter OrderedDict bytearray defaultdict deque dict list set".split())
+#: Functions of the standard library that change what they are given (heapq, bisect, operator, random).
+_CHANGING = frozenset(
+    """
+    heapify heappop heappush heappushpop heapreplace insort insort_left insort_right iadd iand iconcat imul ior isub ixor setitem delitem shuffle
+    append insert setdefault setattr partial __init__
+    """.split()
+)
 #: Functions and parameters of theirs that have been looked at: each once.
 _Seen = set[tuple[int, str]]
 
@@ -131,12 +138,10 @@ def _keeps(call: ast.Call, argument: ast.AST, of_module: dict[str, _Function], s
     """Whether what is called may keep or change *argument*: a class, or a function here that does."""
     callee = call.func
     name = _last_name(callee)
-    if (
-        not name
-        or name[:1].isupper()
-        or name in ("__init__", "append", "extend", "insert", "setdefault", "setattr", "partial")
-    ):
-        return name != "extend"
+    if name == "extend":
+        return False
+    if not name or name[:1].isupper() or name in _CHANGING:
+        return True
     own = of_module.get(name)
     if own is None:
         return False

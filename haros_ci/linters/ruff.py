@@ -12,7 +12,7 @@ from typing import Any
 
 from haros_ci.linters import installed, pylint_doubts, python2, ruff_config, settings_files
 from haros_ci.linters.doubting import Doubting
-from haros_ci.linters.linter import Batch, Command, Finding, GaveUp, LintOptions, Output, Program, Unit, When
+from haros_ci.linters.linter import Batch, Command, Finding, GaveUp, LintOptions, Output, Program, Unit, When, refuted
 from haros_ci.linters.python_defaults import is_only_read
 from haros_ci.model.location import Location
 from haros_ci.model.package import SourceFile
@@ -111,13 +111,12 @@ def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
         start, end = report["location"], report["end_location"]
         text = batch.workspace.text(path)
         is_doubted = doubting.may(path, rule, text)
-        if is_doubted and rule == "F811" and _loads_submodules(report["message"], text):
-            continue
-        if is_doubted and _is_refuted(rule, start["row"], start["column"] - 1, text):
-            continue
         place = Location(path, start["row"], start["column"], end["row"], end["column"])
         level = Level.ERROR if rule == SYNTAX else Level.WARNING
-        yield Finding(path, Result(NAME, rule, level, report["message"], place))
+        result = Result(NAME, rule, level, report["message"], place)
+        is_submodule = is_doubted and rule == "F811" and _loads_submodules(report["message"], text)
+        is_wrong = is_submodule or (is_doubted and _is_refuted(rule, start["row"], start["column"] - 1, text))
+        yield Finding(path, refuted(result) if is_wrong else result)
 
 
 def _binds_with_comma(text: str) -> int | None:

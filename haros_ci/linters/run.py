@@ -11,7 +11,7 @@ from typing import TypeVar
 from haros_ci.linters import rows, schedule
 from haros_ci.linters.execute import Outcome, Task, execute
 from haros_ci.linters.gate import Gate
-from haros_ci.linters.linter import SILENCED, GaveUp, Linter, LintOptions, Unit
+from haros_ci.linters.linter import REFUTED, SILENCED, GaveUp, Linter, LintOptions, Unit
 from haros_ci.linters.process import Processes
 from haros_ci.linters.recorded import Recorded
 from haros_ci.linters.rows import Answer, IsSelected
@@ -49,9 +49,9 @@ def lint(
     unlinted = {file.path for file in workspace.files if not file.is_linted}
 
     def keep(tool: str, rule: str, path: str) -> bool:
-        return (
-            workspace.reports_on(path) and path not in unlinted and (rule == SILENCED or is_selected(tool, rule, path))
-        )
+        if not workspace.reports_on(path) or path in unlinted:
+            return False
+        return rule == SILENCED or is_selected(tool, rule.removeprefix(REFUTED), path)
 
     planned = works(workspace, linters, options, store, digests, InstalledTools() if recorded is None else recorded)
     complete(

@@ -13,6 +13,8 @@ from collections.abc import Iterator
 from haros_ci.linters import ros_macros
 from haros_ci.linters.dead_text import dead
 from haros_ci.linters.macro_scan import is_decoration
+from haros_ci.linters.macros_elsewhere import MacrosElsewhere
+from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Workspace
 from haros_ci.results.result import Notification
 from haros_ci.results.rule import Level
@@ -50,16 +52,20 @@ def notifications(head: Workspace, base: Workspace | None) -> tuple[Notification
     there = {file.path for file in head.files}
     known = {file.digest for file in old.values()}
     moved: set[str] | None = None
+    elsewhere: MacrosElsewhere | None = None
+    before_it: MacrosElsewhere | None = None
     found = []
     for file in head.files:
         if file.language != "cpp" or file.digest in known or not head.reports_on(file.path):
             continue
-        marks = list(dict.fromkeys(seen_otherwise(head.text(file.path))))
-        if marks and moved is None:
-            moved = {mark for path in old.keys() - there for mark in seen_otherwise(base.text(path))}
-        before = (
-            {*seen_otherwise(base.text(file.path)), *(moved or ())} if marks and file.path in old else moved or set()
-        )
+        elsewhere = elsewhere or MacrosElsewhere(head)
+        marks = list(dict.fromkeys(_marks(file, head, elsewhere)))
+        if marks and before_it is None:
+            before_it = MacrosElsewhere(base)
+            moved = {mark for path in old.keys() - there for mark in _marks(old[path], base, before_it)}
+        before = {*(moved or ())}
+        if before_it is not None and file.path in old:
+            before |= {*_marks(old[file.path], base, before_it)}
         if new := [mark for mark in marks if mark not in before]:
             more = f", and {len(new) - 1} more" if len(new) > 1 else ""
             found.append(
@@ -71,6 +77,11 @@ def notifications(head: Workspace, base: Workspace | None) -> tuple[Notification
         *(Notification(Level.NOTE, f"{words}; look at it", path=path) for path, words in found[:MOST_FILES]),
         *([Notification(Level.NOTE, text)] if rest > 0 else []),
     )
+
+
+def _marks(file: SourceFile, workspace: Workspace, elsewhere: MacrosElsewhere) -> Iterator[str]:
+    yield from seen_otherwise(workspace.text(file.path))
+    yield from elsewhere.used(file)
 
 
 def seen_otherwise(text: str) -> Iterator[str]:

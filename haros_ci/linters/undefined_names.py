@@ -14,6 +14,7 @@ from haros_ci.linters.doubting import Doubting
 from haros_ci.linters.given_names import is_given as is_given_by_tool
 from haros_ci.linters.pylint_idioms import nodes
 from haros_ci.linters.python_bindings import asks_for_version, is_bound
+from haros_ci.results.code_alone import code_alone
 from haros_ci.results.result import Result
 from haros_ci.results.rule import Level
 
@@ -23,8 +24,11 @@ RULES = frozenset({"pylint:undefined-variable", "ruff:F821", "flake8:F821", "myp
 OF_PYTHON_2 = frozenset(
     "apply basestring buffer cmp coerce execfile file intern long raw_input reduce reload unichr unicode xrange".split()
 )
-#: Names that others put among the built-in ones: gettext.install, the compiler of a class, IPython, line_profiler, Windows.
-_BROUGHT = frozenset("_ ngettext __class__ __path__ __IPYTHON__ get_ipython profile reveal_type WindowsError".split())
+#: Names that others put among the built-in ones: the compiler of a class, IPython, mypy, Windows.
+_BROUGHT = frozenset("__class__ __path__ __IPYTHON__ get_ipython reveal_type WindowsError".split())
+_GETTEXT, _INSTALLED = re.compile(r"\bgettext\b"), re.compile(r"\.install[ \t]*\(|\bbuiltins\b")
+#: Those of gettext.install, which some file of the workspace calls, and of line_profiler, which is a decorator.
+_OF_GETTEXT, _PROFILE = frozenset(("_", "ngettext")), "profile"
 _PYTHON_3 = re.compile(r"#![^\n]{0,200}\bpython3")
 _QUOTED = re.compile(r"['\"`](\w+)['\"`]")
 _ASKS_FOR_VERSION = re.compile(r"\bversion_info\b|\bPY[23]\b|\bpython_version|\bexcept[ \t(]+[^\n:]{0,80}\bNameError\b")
@@ -54,6 +58,7 @@ def weighed_names(
     is_given: Callable[[Result], bool] = lambda result: False,
     is_loaded: Callable[[str], bool] = lambda path: False,
     is_extra: Callable[[str], bool] = lambda path: False,
+    is_translated: Callable[[], bool] = lambda: False,
 ) -> tuple[Result, ...]:
     """*results* without names that something else defines, and with a warning for those that may well be defined.
 
@@ -62,6 +67,7 @@ def weighed_names(
     in a string, where annotations stand that are not evaluated; any name where the file makes names of strings, and one whose import
     is in a comment: what uses it may be switched off like it. *text* reads
     a path, *is_ros1* tells of one whether it is of a package, or a workspace, of ROS 1; where the level *is_given* by the settings it stands.
+    Where code of the workspace uses gettext (*is_translated*) its names are there.
     In a file that another one loads by its path (*is_loaded*) any name may have been put there; in one that a tool runs, which may be an extra
     script of PlatformIO (*is_extra*), those that the tool gives it. Below an ``exit()`` of the module, and behind a ``return``, nothing is evaluated.
     """
@@ -78,23 +84,49 @@ def weighed_names(
                 continue
             if _is_never_run(result, whole) or is_given_by_tool(result.location.path, name[1], whole, is_extra):
                 continue
-            if name[1] in _BROUGHT or (name[1] in OF_PYTHON_2 and _is_ready(result, whole)):
+            if _is_brought(name[1], result, whole, is_translated):
+                continue
+            if name[1] in OF_PYTHON_2 and _is_ready(result, whole):
                 continue
             old = name[1] in OF_PYTHON_2 and is_ros1(result.location.path)
             if old and not _PYTHON_3.match(whole) and not is_given(result):
                 continue
             unsure = old or _is_in_string(result, whole) or _is_in_annotation(result, whole)
             unsure = unsure or _is_switched_off(name[1], whole) or _is_in_local_annotation(result, whole)
-            if (unsure or _MAKES_NAMES.search(whole)) and not is_given(result):
+            if (unsure or _MAKES_NAMES.search(code_alone(whole, "python"))) and not is_given(result):
                 result = replace(result, level=max(result.level, Level.WARNING, key=lambda level: level.rank))
         weighed.append(result)
     return tuple(weighed)
 
 
+def uses_gettext(text: str) -> bool:
+    """Whether the code of a Python file calls something of gettext (gettext.install makes ``_`` and ``ngettext`` built-in names)."""
+    if "gettext" not in text:
+        return False
+    code = code_alone(text, "python")
+    return _GETTEXT.search(code) is not None and _INSTALLED.search(code) is not None
+
+
+def _is_brought(name: str, result: Result, text: str, is_translated: Callable[[], bool]) -> bool:
+    """Whether others put *name*, which *result* is about, among the built-in names."""
+    if name in _OF_GETTEXT:
+        return is_translated()
+    if name != _PROFILE:
+        return name in _BROUGHT
+    decorators = (one for node in nodes(text) for one in getattr(node, "decorator_list", ()))
+    return any(
+        isinstance(one, ast.Name) and one.id == name and one.lineno == result.location.line for one in decorators
+    )
+
+
 def _is_ready(result: Result, text: str) -> bool:
     """Whether the code around the place of *result* is for Python 2 and 3, and tells them apart."""
     line = result.location.line
-    return line is not None and _ASKS_FOR_VERSION.search(text) is not None and asks_for_version(nodes(text), line)
+    return (
+        line is not None
+        and _ASKS_FOR_VERSION.search(code_alone(text, "python")) is not None
+        and asks_for_version(nodes(text), line)
+    )
 
 
 def _is_never_run(result: Result, text: str) -> bool:
@@ -130,7 +162,7 @@ def _ends(statement: ast.stmt) -> bool:
 def _is_in_annotation(result: Result, text: str) -> bool:
     """Whether the place of *result* is in an annotation on its line, and the file has none evaluated."""
     lines, at = text.split("\n"), result.location
-    if not at.line or not at.column or at.line > len(lines) or not _LATE.search(text):
+    if not at.line or not at.column or at.line > len(lines) or not _LATE.search(code_alone(text, "python")):
         return False
     before = lines[at.line - 1][: at.column - 1][-_LONGEST:]
     return _ANNOTATED.search(before) is not None and not _STATEMENT.match(before)

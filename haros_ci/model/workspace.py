@@ -87,7 +87,7 @@ class Hiding:
 
     *warnings* are on markers that do not count, *notes* on changed files in directories that are never analysed, *unread* on changed files
     that cannot be analysed, which become findings. *used* are files that are what they were and that changed ones use as code. *later* are the paths of packages with a manifest that is not the base's: others of
-    their name come first.
+    their name come first. *databases* are compile databases that it brings or alters: none is read.
     """
 
     warnings: tuple[Problem, ...] = ()
@@ -95,6 +95,7 @@ class Hiding:
     unread: tuple[Problem, ...] = ()
     used: tuple[FirstUse, ...] = ()
     later: tuple[str, ...] = ()
+    databases: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

@@ -29,7 +29,7 @@ PYTHON_SKIPPED = (
     r'|(?<=")(?:""[^"\\]*(?:(?:\\[\s\S]?|"(?!""))[^"\\]*)*(?:"""|\Z)|[^"\\\n]*(?:\\[\s\S]?[^"\\\n]*)*"?)'
     r"|(?<=')(?:''[^'\\]*(?:(?:\\[\s\S]?|'(?!''))[^'\\]*)*(?:'''|\Z)|[^'\\\n]*(?:\\[\s\S]?[^'\\\n]*)*'?)"
 )
-_PATTERNS = {
+PATTERNS = {
     "c": rf"""["'/](?:{C_SKIPPED})""",
     "python": rf"""["'#](?:{PYTHON_SKIPPED})""",
     "yaml": r"""(?<![^\s,:\[{-])"[^"\\]*(?:\\[\s\S]?[^"\\]*)*"?|(?<![^\s,:\[{-])'[^'\n]*'?|(?<!\S)#[^\n]*""",
@@ -88,12 +88,12 @@ def lines_of(text: str) -> list[str]:
 
 def comments(text: str, kind: str, mark: str = "") -> Iterator[Comment]:
     """The comments of a whole file that contain *mark*, in order; text in string literals is not a comment."""
-    if kind not in _PATTERNS:
+    if kind not in PATTERNS:
         return
     marks = _MARKS.get(kind, _HASH)
     text = "\n".join(lines_of(text))
     line, counted, line_start, line_end = 1, 0, 0, -1
-    for match in re.compile(_PATTERNS[kind], re.MULTILINE).finditer(text):
+    for match in re.compile(PATTERNS[kind], re.MULTILINE).finditer(text):
         found = match[0]
         if mark not in found or not found.startswith(marks):
             continue
@@ -117,8 +117,8 @@ def comments(text: str, kind: str, mark: str = "") -> Iterator[Comment]:
 def bare(line: str, kind: str) -> str:
     """One line without comments and white space, as identities see it. A line that is all comment keeps its text."""
     marks = _MARKS.get(kind, _HASH)
-    if any(mark in line for mark in marks) and kind in _PATTERNS:
-        code = re.compile(_PATTERNS[kind]).sub(lambda match: "" if match[0].startswith(marks) else match[0], line)
+    if any(mark in line for mark in marks) and kind in PATTERNS:
+        code = re.compile(PATTERNS[kind]).sub(lambda match: "" if match[0].startswith(marks) else match[0], line)
         if code.strip():
             line = code
     return _SPACE.sub("", line)

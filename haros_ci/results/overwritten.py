@@ -4,9 +4,10 @@
 from __future__ import annotations
 
 import ast
+import sys
 import warnings
 from bisect import bisect_right
-from collections.abc import Container
+from collections.abc import Container, Iterator
 from functools import lru_cache
 
 #: What only makes names, and calls nothing that stands in it.
@@ -15,6 +16,8 @@ _DEFINITIONS = (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)
 _REACHES_ALL = frozenset(
     "globals locals vars eval exec modules __globals__ f_globals f_locals f_back __dict__ getmembers".split()
 )
+#: Decorators that Python has built in, and those of a property: they only keep the function.
+_KEEPING = frozenset("property staticmethod classmethod setter getter deleter".split())
 #: Pairs of a name and a statement that are looked at in one file.
 _PAIRS = 500_000
 
@@ -160,12 +163,38 @@ class _Look:
         """The names in what is run of a statement, and whether it calls something."""
         found = self._read.get(id(statement))
         if found is None:
-            parts: tuple[ast.AST, ...] = (statement,)
-            if isinstance(statement, (ast.FunctionDef, ast.AsyncFunctionDef)):  # its body is run later
-                arguments = statement.args
-                parts = (*statement.decorator_list, *arguments.defaults, *filter(None, arguments.kw_defaults))
-            inner = [node for part in parts for node in ast.walk(part)]
+            inner = list(_run_at_once(statement))
             names = frozenset(node.id for node in inner if isinstance(node, ast.Name))
-            calls = not isinstance(statement, _DEFINITIONS) and any(isinstance(node, ast.Call) for node in inner)
+            calls = any(isinstance(node, ast.Call) or _imports_others(node) for node in inner)
+            calls |= any(not _is_plain(one) for node in inner for one in getattr(node, "decorator_list", ()))
             found = self._read[id(statement)] = (names, calls)
         return found
+
+
+def _imports_others(node: ast.AST) -> bool:
+    """Whether a module is run there that may import this one: none of Python's own."""
+    if isinstance(node, ast.ImportFrom):
+        return bool(node.level) or (node.module or "").partition(".")[0] not in sys.stdlib_module_names
+    return isinstance(node, ast.Import) and any(
+        alias.name.partition(".")[0] not in sys.stdlib_module_names for alias in node.names
+    )
+
+
+def _is_plain(decorator: ast.expr) -> bool:
+    """Whether the decorator keeps the function, and calls nothing."""
+    if isinstance(decorator, ast.Attribute):
+        return isinstance(decorator.value, ast.Name) and decorator.attr in _KEEPING
+    return isinstance(decorator, ast.Name) and decorator.id in _KEEPING
+
+
+def _run_at_once(statement: ast.stmt) -> Iterator[ast.AST]:
+    """What is run of a statement where it stands: not the bodies of functions, which are run when they are called."""
+    waiting: list[ast.AST] = [statement]
+    while waiting:
+        node = waiting.pop()
+        yield node
+        if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef | ast.Lambda):
+            arguments = node.args
+            waiting += [*getattr(node, "decorator_list", ()), *arguments.defaults, *filter(None, arguments.kw_defaults)]
+        else:
+            waiting += ast.iter_child_nodes(node)

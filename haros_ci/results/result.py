@@ -161,7 +161,8 @@ class Run:
     ``analysed`` are the paths the tool was asked about and answered for: only their old findings can be absent.
     ``architecture`` says that all checks of the architecture could be made: else no old finding of theirs is absent.
     ``imported`` marks a log of another tool taken in with ``--import``. ``changes`` is what has changed since the base revision, None
-    where there is none. ``silenced`` are findings that the tool itself left out for a comment, as far as it tells.
+    where there is none. ``silenced`` are findings that the tool itself left out for a comment, as far as it tells; ``refuted`` those that the code around
+    them speaks against, which are not reported.
     """
 
     tool: Tool
@@ -175,6 +176,7 @@ class Run:
     architecture: bool = False
     changes: Changes | None = None
     silenced: tuple[Result, ...] = ()
+    refuted: tuple[Result, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

@@ -24,6 +24,12 @@ _LARGEST_MAPPED = 1_000_000
 _BLOCK = re.compile(r"/[/*]\s*(?:cppcheck-suppress-(?:begin|(?P<macro>macro))\b|NOLINTBEGIN(?!\w))[^\n]*")
 _END = re.compile(r"/[/*]\s*(?:cppcheck-suppress-end\b|NOLINTEND(?!\w))")
 _WORD = re.compile(r"\w")
+#: Comments of one line, and of a whole file, of tools that do not tell what they silence, as pylint does.
+_OF_LINES = frozenset(("NOLINT", "NOLINTNEXTLINE", "cppcheck-suppress", "noqa"))
+_OF_BLOCKS = ("cppcheck-suppress-begin", "cppcheck-suppress-end", "cppcheck-suppress-macro", "cppcheck-suppress-file")
+_OF_FILES = frozenset(("flake8: noqa", "ruff: noqa", "LINT_C_FILE"))
+#: Comments that name rules of style alone: cpplint's categories, codes of pycodestyle, pydocstyle, isort and naming.
+_OF_STYLE = re.compile(r"\ANOLINT\w*\((?:\w+/\w+[,)])+|noqa:(?:[EWIDQNC]\d+,?)+\Z", re.IGNORECASE)
 
 #: What a comment says, and a line.
 _Key = tuple[str, int | None]
@@ -69,6 +75,7 @@ def silenced(pairs: Iterable[SilencedPair], removed: Iterable[tuple[str, str, st
             continue
         grown += _grown(pair)
         left, unmatched = _unmapped(pair, marks, before)
+        grown += _edited(pair, [mark for mark in marks if mark not in left], before)
         new += left
         pool.update((mark.words, mark.code) for mark in unmatched)
     for path, language, text in removed if new else ():
@@ -103,6 +110,28 @@ def _grown(pair: SilencedPair) -> Iterator[tuple[Location, str]]:
             yield Location(pair.path, line), "NOLINTBEGIN" if key.startswith("NOLINT") else "cppcheck-suppress"
         elif key in old:
             old[key] -= lines
+
+
+def _edited(pair: SilencedPair, old: Iterable[_Mark], before: Iterable[_Mark]) -> Iterator[tuple[Location, str]]:
+    """The comments of *pair* that were there *before*, and hold for code now that they did not hold for: beside them, or somewhere in the file."""
+    known = Counter((mark.words, mark.code) for mark in before)
+    for mark in old:
+        if mark.is_own or _OF_STYLE.search(mark.words):
+            continue
+        if mark.name in _OF_LINES and not mark.words.lstrip("/*").startswith(_OF_BLOCKS):
+            known[mark.words, mark.code] -= 1
+            if mark.code and known[mark.words, mark.code] < 0:
+                yield mark.place, mark.name
+        elif mark.name in _OF_FILES or "cppcheck-suppress-file" in mark.words:
+            if pair.base is not None and _code(pair, pair.head) - _code(pair, pair.base):
+                yield mark.place, mark.name
+
+
+def _code(pair: SilencedPair, text: str) -> Counter[str]:
+    """The lines of code of a text, without blanks and comments."""
+    kind = syntax(pair.language, pair.path)
+    lines = lines_of(text)
+    return Counter(bare(lines[number - 1], kind) for number in code_lines(text, kind))
 
 
 def _blocks(text: str) -> Iterator[tuple[str, int, Counter[str]]]:

@@ -21,7 +21,7 @@ from haros_ci.linters.part import Noted, answers
 from haros_ci.linters.portions import portions
 from haros_ci.linters.recorded import Recorded, Testimony, Unanswered
 from haros_ci.linters.work import Digests, Work, works
-from haros_ci.linting import lint_options
+from haros_ci.linting import has_structure, lint_options
 from haros_ci.model.workspace import Store, Workspace
 from haros_ci.pipeline import (
     ARCHITECTURE,
@@ -29,7 +29,6 @@ from haros_ci.pipeline import (
     Progress,
     analyse,
     found,
-    has_structure,
     narrowed,
     own_run,
     selection_of,

@@ -13,6 +13,7 @@ from haros_ci.follow.follow import Entry, follow
 from haros_ci.follow.made import MadeEntity
 from haros_ci.follow.ros.own_name import counting
 from haros_ci.follow.walk import Walk
+from haros_ci.graph.parameters import YamlFiles
 from haros_ci.index.behavior_tree_files import TreeFiles
 from haros_ci.index.plugins import PluginDescription
 from haros_ci.index.relevance import Relevance
@@ -68,7 +69,7 @@ class Types:
     plugin_files: list[tuple[str, frozenset[str]]]
     relevance: Mapping[tuple[str, int], Relevance]
     configs: Mapping[str, ConfigFile]
-    read_yaml: Any
+    read_yaml: YamlFiles
     #: What is known of node types outside the workspace, by package and type.
     known: KnownNodes
     #: What following has given so far, with the parameters that it depended on.

@@ -5,8 +5,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import cache
 from typing import Any
 
+from haros_ci.index.idle import Idle
 from haros_ci.index.index import Source
 from haros_ci.index.relevance import Relevance
 from haros_ci.keeping import consulted, kept
@@ -40,8 +42,8 @@ def of_rows(rows: tuple[Row, ...]) -> str:
     return kept.digest_of(rows)
 
 
-def key_of(types: Types, rows: Mapping[tuple[str, int], Iterable[Row]]) -> str:
-    """The key of all that every node depends on: API rows, interfaces, plug-ins, what is relevant by itself."""
+def key_of(types: Types, rows: Mapping[tuple[str, int], Iterable[Row]], idle: Idle) -> str:
+    """The key of all that every node depends on: API rows, interfaces, plug-ins, what is relevant and what is idle by itself."""
     cpp, python = types.programs.cpp, types.programs.python
     plugins = [(name, plugin.source.path, *plugin.key) for name, plugin in sorted(types.plugins.items())]
     return kept.digest_of(
@@ -56,13 +58,14 @@ def key_of(types: Types, rows: Mapping[tuple[str, int], Iterable[Row]]) -> str:
         sorted(types.declared.items()),
         sorted(types.configs.items()),
         [(version, relevance.rules()) for version, relevance in sorted(types.relevance.items())],
+        sorted(idle.own),
         [(source.path, source.module, source.package) for _, source in sorted(types.programs.sources.items())],
         [source.program for _, source in sorted(types.programs.sources.items()) if source.path.endswith(YAML)],
     )
 
 
-def take_up(types: Types, keeper: Keeper, key: str) -> list[tuple[Any, Followed]]:
-    """Put what holds of the record under *key* where nodes are looked up; it is returned."""
+def take_up(types: Types, keeper: Keeper, key: str, idle: Idle) -> list[tuple[Any, Followed]]:
+    """Put what holds of the record under *key* where nodes are looked up; it is returned. Files as they were are compared without what is *idle*, too."""
     earlier = keeper.get(key)
     if earlier is None:
         return []
@@ -71,7 +74,9 @@ def take_up(types: Types, keeper: Keeper, key: str) -> list[tuple[Any, Followed]
 
     def before(path: str, digest: str) -> Source | None:
         program = keeper.program(path, digest)
-        return replace(sources[path], program=program) if program is not None and path in sources else None
+        return (
+            replace(sources[path], program=idle.program(program)) if program is not None and path in sources else None
+        )
 
     def relevance(path: str) -> Sequence[Relevance]:
         language = "python" if sources[path].program.language == "python" else "cpp"
@@ -89,7 +94,7 @@ def take_up(types: Types, keeper: Keeper, key: str) -> list[tuple[Any, Followed]
         return found
 
     change = consulted.change_of(earlier.files, keeper.files, before, sources.get, relevance, cpp.aliases)
-    now = consulted.Now((cpp, types.programs.python), sources, visible, counting)
+    now = consulted.Now((cpp, types.programs.python), sources, visible, counting, cache(types.read_yaml.digest))
     found = kept.read(earlier, lambda other_consulted: consulted.holds(other_consulted, change, now), change.lines)
     for followed_key, followed in found:
         types.followed.setdefault(followed_key, []).append(followed)

@@ -12,6 +12,7 @@ from typing import Any
 from haros_ci.follow.context import Exact
 from haros_ci.graph.names import clean
 from haros_ci.graph.parameters import ParameterServer
+from haros_ci.index.idle import idle_in
 from haros_ci.index.index import Source
 from haros_ci.launch.facts.memory import LaunchMemory, Memo
 from haros_ci.launch.ros1.entry import entry_files
@@ -205,7 +206,8 @@ def linked(
     earlier runs followed, *ros2* reads launch files of ROS 2. With *alternatives* each configuration has the nodes that
     are there with other launch arguments, too.
     """
-    types = types_of(workspace, sources, builds, rows, known or (lambda package, name, ros: None), exact, load)
+    idle = idle_in(sources)
+    types = types_of(workspace, idle.without(sources), builds, rows, known or _nothing, exact, load)
     problems: dict[Problem, None] = {}
     configurations: list[Configuration] = []
     if requested is None:
@@ -243,8 +245,8 @@ def linked(
         for described, _, _ in dict.fromkeys(types.nodelets.values()):
             if system.type_of(described.name, described) not in started:
                 jobs.append(system.standalone(types, described.name))
-    key = keeping.key_of(types, rows) if keeper is not None else ""
-    old = keeping.take_up(types, keeper, key) if keeper is not None else []
+    key = keeping.key_of(types, rows, idle) if keeper is not None else ""
+    old = keeping.take_up(types, keeper, key, idle) if keeper is not None else []
     work = Work(types, share)
     done, fresh = rounds.work(work, (*jobs, *others))
     made = ros2_library.seen_in(node for nodes, _ in done[: len(jobs)] for node in nodes)
@@ -283,6 +285,10 @@ def linked(
         problems=tuple(sorted(problems, key=lambda p: (p.path, p.line or 0, p.message))),
     )
     return Linked(found, under, builds, sources)
+
+
+def _nothing(package: str, name: str, ros: int) -> None:
+    """What is known of node types where nothing is."""
 
 
 def _configuration(

@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterable, Mapping
 from haros_ci.follow.context import Exact
 from haros_ci.follow.follow import Entry
 from haros_ci.follow.ros import api_rows
-from haros_ci.graph.parameters import yaml_reader
+from haros_ci.graph.parameters import YamlFiles
 from haros_ci.index import behavior_tree_files
 from haros_ci.index.behavior_tree_files import TreeFiles
 from haros_ci.index.build import build_index
@@ -64,7 +64,7 @@ def types_of(
         version: Relevance(python if version[0] == "python" else cpp, items) for version, items in held.items()
     }
     files = files_of(workspace)
-    reader, xml = yaml_reader(files), XmlFileReader(load, files)
+    reader, xml = YamlFiles(files), XmlFileReader(load, files)
     tree_libraries = behavior_tree_files.library_files(cpp, builds)
     versions = {package.name: package.ros for package in workspace.packages}
     ordinary = of_version(executables(programs), versions, 1)

@@ -95,7 +95,8 @@ def base_workspace(
                 elsewhere=root,
                 requested=scope.directories,
             )
-            yield Base(replace(base, settings=settings), commit, renames, settings)
+            hiding = replace(base.hiding, databases=workspace.hiding.databases)
+            yield Base(replace(base, settings=settings, hiding=hiding), commit, renames, settings)
     except GitError as err:
         raise BaselineUnavailable(f"{rev!r} cannot be read: {err}; is the clone complete (no --filter)?") from err
 

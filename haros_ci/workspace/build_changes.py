@@ -6,6 +6,8 @@ from __future__ import annotations
 from haros_ci.model.workspace import Problem, Workspace
 from haros_ci.workspace.build_steps import BuildStep, steps_not_followed
 
+#: Build types of packages whose build files are read; "" is catkin, or one that the manifest does not tell.
+_READ = frozenset(("", "ament_cmake", "ament_cmake_auto", "ament_cmake_python", "ament_python", "catkin", "cmake"))
 #: Findings for one file, and notes of one run.
 MOST = 20
 
@@ -37,6 +39,19 @@ def brought_steps(head: Workspace, base: Workspace) -> tuple[tuple[Problem, ...]
         found += (_problem(file.path, step) for step in [step for step in steps if not step.is_usual][:MOST])
         notes += (_problem(file.path, step) for step in steps if step.is_usual)
     return tuple(found), tuple(notes[:MOST])
+
+
+def brought_builders(head: Workspace, base: Workspace) -> tuple[Problem, ...]:
+    """The packages of *head* that are built by what nothing here reads (Meson, Cargo, Gradle), and in *base* were not, or not there."""
+    before = {(package.path, package.build_type) for package in base.packages}
+    found = []
+    for package in head.packages:
+        path = "package.xml" if package.path == "." else f"{package.path}/package.xml"
+        is_read = package.build_type in _READ
+        if not is_read and (package.path, package.build_type) not in before and head.reports_on(path):
+            message = f"{package.name} is built by {package.build_type}, whose files nothing here reads: what it compiles, makes or runs is not known"
+            found.append(Problem(path, message))
+    return tuple(found[:MOST])
 
 
 def _problem(path: str, step: BuildStep) -> Problem:

@@ -111,15 +111,20 @@ class TrackedChange:
             *(Problem(path, f"skipped: it lies in {aside[path]}, which is never analysed") for path in reached),
             *self._new_submodules(scope),
         )
+        databases = sorted(
+            path for path in self.tracked if _is_database(path) and self.is_known and self.has_changed(path)
+        )
         hiding = Hiding(
             warnings=(*self._warnings(candidates, scope), *self._enclosing(candidates, workspace)),
             notes=(
                 *self._notes(sorted(aside.keys() - {*reached}), scope),
                 *noted(others, code, used, self.has_changed, self._tree),
+                *(Problem(path, "a compile database that the change brings is not read") for path in databases),
             ),
             unread=(*workspace.hiding.unread, *unread),
             used=tuple(self._first_used(used, analysed, scope, excludes)),
             later=tuple(sorted(package.path for package in workspace.packages if self._is_new(package))),
+            databases=tuple(databases),
         )
         return replace(workspace, hiding=hiding, problems=tuple(self._problems(workspace, hiding.later)))
 
@@ -315,6 +320,11 @@ def _excluded(path: str, excludes: Excludes) -> bool:
     return excludes.match(path, is_directory=False) or any(
         excludes.match(directory, is_directory=True) for directory in _parents(path)
     )
+
+
+def _is_database(path: str) -> bool:
+    """Whether the file at *path* is a compile database by its name: what it says steers what linters are given."""
+    return path.rpartition("/")[2].startswith("compile_commands") and path.endswith(".json")
 
 
 def _files(paths: list[str]) -> str:

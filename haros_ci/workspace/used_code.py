@@ -55,7 +55,8 @@ _RUNS = re.compile(
 )
 #: What gives a file to an interpreter of Python in one line: CMake, launch files, ``subprocess``.
 _GIVEN = re.compile(
-    r"(?:\b(?:python|pypy)[\d.]{0,6}|\bsys\.executable|\$\{\w{0,60}PYTHON\w{0,60}\})(?!\w)([^\n]{1,1000})", re.I
+    r"(?:\b(?:i?python|pypy|jupyter|papermill)[\d.]{0,6}|\bsys\.executable|\$\{\w{0,60}PYTHON\w{0,60}\})(?!\w)([^\n]{1,1000})",
+    re.I,
 )
 #: Interpreters of other languages.
 _OTHERS = re.compile(
@@ -64,6 +65,9 @@ _OTHERS = re.compile(
 #: In files of dynamic_reconfigure, which are read as such (``cfg/Planner.cfg``).
 _RECONFIGURE = "ParameterGenerator"
 _ASKS_FOR_PYTHON = re.compile(r"#![^\n]{0,200}?\b(?:python|pypy)[\d.]{0,6}(?:\s|\Z)")
+#: A line of a .pth file that is run (docs.python.org, site), and a cell of a notebook with code in it (nbformat).
+_RUN_AT_START = re.compile(r"^import[ \t]", re.M)
+_CELL = re.compile(r"\"cell_type\"\s*:\s*\"code\"")
 #: Words of what may run a text or a program, in Python code that names a file with Python in it.
 _MAY_RUN = re.compile(
     r"\b(?:exec|execfile|eval|compile|runpy|subprocess|Popen|popen|system|exec[lv]p?e?|spawn\w*|pty|run|runcode|runsource|interact|InteractiveInterpreter"
@@ -108,6 +112,8 @@ class UsedCode:
         text = self._text(path)
         if suffix := _UNKNOWN.get(suffix_of(name)):
             return f"it is {suffix}, which is not analysed"
+        if suffix_of(name) == "pth" and "\0" not in text and _RUN_AT_START.search(text):
+            return "Python runs the lines of a .pth file that begin with import, when it starts"
         if name in self._of("cpp", included) or (_may_be_cpp(text, language) and self._is_perhaps_included(name)):
             return "C++ includes it, and no C++ file is called so"
         return self._why_built(path, name, text, language) or self._why_run(name, text, language)
@@ -128,7 +134,12 @@ class UsedCode:
             return f"a build makes {made} of it"
         if is_cpp(text) and _may_be_cpp(text, language) and self._is_among(name, "cmake", taken):
             return "CMake takes it, it holds functions of C++, and no C++ file is called so"
-        is_program = language is None and text and _OTHERS.match(text) is None
+        is_objective = suffix_of(name) == "m" and is_cpp(text)
+        if is_objective and any(
+            "aux_source_directory" in self._workspace.text(f.path) for f in self._files(("cmake",))
+        ):
+            return "CMake has it compiled as Objective-C, by aux_source_directory()"
+        is_program = language is None and text and (_OTHERS.match(text) is None or _ASKS_FOR_PYTHON.match(text))
         if is_program and self._is_among(name, "cmake", programs):
             return "CMake installs it as a program, and neither its name nor its first line tells the language"
         return ""
@@ -141,6 +152,8 @@ class UsedCode:
         is_reconfigure = language == "setup" and _RECONFIGURE in text
         if language is not None and _ASKS_FOR_PYTHON.match(text) and not is_reconfigure:
             return f"its first line asks for Python, and its name is that of {language}"
+        if language is None and _ASKS_FOR_PYTHON.match(text) and (user := self._namer_of(name)):
+            return f"its first line asks for Python, {user} names it, and it is not analysed as Python"
         is_perhaps_python = (
             language is None or (language != "markdown" and has_lines_of_python(text)) or is_python(text)
         )
@@ -160,6 +173,12 @@ class UsedCode:
             stem = re.compile(rf"\b{re.escape(path.rpartition('/')[2].partition('.')[0])}\b")
             return any(stem.search(self._workspace.text(file.path)) for file in self._files(_REFERRING))
         return bool(self.why(path))
+
+    def _namer_of(self, name: str) -> str:
+        """The path of a file that installs or starts programs and names the file called *name*; "" without one."""
+        place = re.compile(rf"(?<![\w.-]){re.escape(name)}(?![\w.-])")
+        files = self._files(("setup", "python", "cmake", "launch", "shell", "dockerfile"))
+        return next((file.path for file in files if place.search(self._workspace.text(file.path))), "")
 
     def _user_of(self, name: str, is_reconfigure: bool) -> str:
         """The path of a file that names the file called *name*, and that may have it run; "" without one."""
@@ -204,7 +223,10 @@ class UsedCode:
         if suffix == "pyi" or b"\0" in self._workspace.reader.head(path, _HEAD):
             return ""
         text = self._workspace.text(path)
-        if _RECONFIGURE not in text and is_python(text, with_calls=False):
+        if suffix == "ipynb":
+            return "Python" if _CELL.search(text) else ""
+        is_script = language_of(name) is None and _ASKS_FOR_PYTHON.match(text) is not None
+        if _RECONFIGURE not in text and (is_script or is_python(text, with_calls=False)):
             return "Python"
         is_known = language_of(name) is not None or suffix in _LIKE_CPP or suffix in TEMPLATES
         return "C++" if not is_known and _begins_as_cpp(text) else ""

@@ -357,3 +357,32 @@ def test_comments_that_come_to_silence_more_are_named(trap: Trap) -> None:
     ]
     assert outcome.report["silenced"]["comments"] == []
     assert outcome.says("comments that were there before silence more than they did: alone.py:4 (undefined-variable), ")
+
+
+THROW = "void %s()\n{\n  throw 1;\n}\nvoid stop() noexcept\n{\n  %s();\n}\n"
+
+
+def test_findings_that_a_change_brings_with_what_speaks_against_them(trap: Trap) -> None:
+    """A filter drops them, by code that may have been written for it: they are named, but for those that the base has so, too."""
+    names = "def early():\n    return %s\n\n\ndef early():\n    return 1\n" % "nowhere"
+    one, two = THROW % ("halt", "halt"), THROW % ("end", "end")
+    pull_request(
+        trap,
+        {"old.cpp": one, "old.py": names, "quiet.cpp": "int quiet();\n", "moved.cpp": one},
+        {
+            "old.cpp": "int more();\n" + one,
+            "old.py": names + "\n\nX = 1\n",
+            "other.cpp": one,
+            "new.cpp": two,
+            "new.py": names,
+            "quiet.cpp": "int quiet();\n" + one.replace(" noexcept", ""),
+        },
+    )
+    outcome = trap.run("--baseline-rev=main", "--ignore=cpplint,metrics,ruff,unassignedVariable,function-redefined")
+    said = [message for _, message in outcome.notes() if "speaks against" in message]
+    assert said == [
+        "since this change 2 findings are not reported, as the code around speaks against them: new.cpp:7 (cppcheck:throwInNoexceptFunction), "
+        "new.py:2 (pylint:undefined-variable); look at them"
+    ]
+    assert outcome.code == 0 and outcome.report["silenced"] == {"findings": 0, "comments": [], "more": []}
+    assert_harmless(trap, outcome)

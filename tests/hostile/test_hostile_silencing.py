@@ -268,3 +268,28 @@ def test_settings_that_cannot_be_read_are_named(trap: Trap) -> None:
     notes = dict(outcome.notes())
     assert "cannot be read, so the rules that they turn off are unknown" in notes["ruff.toml"]
     assert "cannot be read, so the rules that they turn off are unknown" in notes[".yamllint"]
+
+
+DATABASE = '[{"directory": ".", "file": "a.cpp", "arguments": ["c++", "-Dint=static int", "-c", "a.cpp"]}]'
+DANGLING = "int & pick()\n{\n  int local = 1;\n  return local;\n}\n"
+
+
+@pytest.mark.parametrize("brought", ["build/compile_commands.json", "cfg/compile_commands.json", "altered", ""])
+def test_a_compile_database_of_the_change_is_not_read(brought: str, trap: Trap) -> None:
+    """Its definitions make other code of a file for cppcheck alone; that of the base, and one that a build has made, are read."""
+    trap.use_cheap_control()
+    trap.write("a.cpp", "int a;\n")
+    if brought in ("altered", ""):
+        trap.write("build/compile_commands.json", DATABASE.replace("=static int", "=long") if brought else DATABASE)
+    trap.commit()
+    trap.git("checkout", "-q", "-b", "head")
+    trap.write("a.cpp", DANGLING)
+    if brought:
+        trap.write("build/compile_commands.json" if brought == "altered" else brought, DATABASE)
+    if brought.startswith("cfg"):
+        (trap.root / "build").symlink_to("cfg")
+    trap.commit()
+    outcome = trap.run("--baseline-rev=main", "--ignore=cpplint,metrics")
+    assert_harmless(trap, outcome)
+    assert (("a.cpp", 4, "returnReference") in outcome.findings()) is bool(brought)
+    assert outcome.says("a compile database that the change brings is not read") is bool(brought)

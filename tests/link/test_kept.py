@@ -203,7 +203,12 @@ def test_edits(path: str, old: str, new: str, is_other: bool, expected: list[str
 #: Edits of what functions do: file, text before and after, whether the model is another, what is followed anew. Of what
 #: is kept the lines are as they are after the edit.
 BODIES: list[tuple[str, str, str, str, bool, list[str]]] = [
-    ("statement", B, "ros::spin();", "int i = 1;\nros::spin();", False, [B]),
+    ("statement", B, "ros::spin();", 't = "x";\nros::spin();', False, [B]),
+    ("unused number", B, "ros::spin();", "int i = 1;\nros::spin();", False, []),
+    ("used number", B, "ros::spin();", "int i = 1;\nstd::abs(i);\nros::spin();", False, [B]),
+    ("log", B, "ros::spin();", 'ROS_INFO_STREAM("at " << 1 << t);\nros::spin();', False, []),
+    ("log of a call", B, "ros::spin();", 'ROS_INFO("%d", next());\nros::spin();', False, [B]),
+    ("output", B, "ros::spin();", "std::cout << t.size() << std::endl;\nros::spin();", False, []),
     ("statement in a function of a class", "p/src/work.cpp", "open(nh);", "open(nh); int i = 1;", True, [A]),
     ("statement where nothing looks", "p/src/unused.cpp", "return", "int i = 1;\nreturn", False, []),
     ("call where nothing looks", "p/src/unused.cpp", "return", "other();\nreturn", False, []),
@@ -244,7 +249,8 @@ LINKED = {
     (
         ("p/src/work.cpp", "return 3", "return 5", [A]),
         ("p/src/work.cpp", "return 4", "return 5", [B]),
-        ("p/src/work.cpp", "return 4", "int i = 0; return 4", [B]),
+        ("p/src/work.cpp", "return 4", "total = 0; return 4", [B]),
+        ("p/src/work.cpp", "return 4", "int i = 0; return 4", []),
         (B, "return count", "return 1 + count", [B]),
         (B, "return count", "total = 1; return count", [B]),
     ),
@@ -275,6 +281,33 @@ def test_functions_that_begin_or_cease_to_make_something(followed: list[str]) ->
         assert (sorted(set(calls)), is_changed) == ([B], True)
 
 
+READS = main(
+    'YAML::Node all = YAML::LoadFile(ros::package::getPath("p") + "/config/a.yaml");\n'
+    'auto p = ADV(all["topic"].as<std::string>(), 1);',
+    "#include <yaml-cpp/yaml.h>\n#include <ros/package.h>\n",
+)
+READERS: Files = {**OLDER, B: READS, "p/config/a.yaml": "topic: a\n", "p/config/b.yaml": "topic: b\n"}
+
+
+@pytest.mark.parametrize(
+    ("path", "text", "is_other", "expected"),
+    (
+        ("p/config/a.yaml", "topic: c\n", True, [B]),
+        ("p/config/a.yaml", None, True, [B]),
+        ("p/config/b.yaml", "topic: c\n", False, []),
+        ("p/config/b.yaml", None, False, []),
+        ("p/config/c.yaml", "topic: c\n", False, []),
+    ),
+)
+def test_files_that_a_node_reads(
+    path: str, text: str | None, is_other: bool, expected: list[str], followed: list[str]
+) -> None:
+    """A YAML file that a node reads itself concerns it, and no other one does."""
+    after = {**READERS, path: text} if text is not None else {key: READERS[key] for key in READERS if key != path}
+    calls, is_changed = again(READERS, after, followed, None)
+    assert (is_changed, sorted(set(calls))) == (is_other, expected)
+
+
 @pytest.mark.parametrize(
     ("path", "old", "new", "is_other", "expected"),
     (
@@ -299,6 +332,36 @@ def test_edits_of_ros2(path: str, old: str, new: str, is_other: bool, expected: 
 def test_without_an_edit_nothing_is_followed(ros: int | None, followed: list[str]) -> None:
     files = NEWER if ros == 2 else OLDER
     assert again(files, files, followed, ros) == ([], False)
+
+
+SCRIPT_2, LAUNCHED = "p/scripts/n.py", "p/launch/m.launch.py"
+IMPORTS: Files = {
+    "p/CMakeLists.txt": ROS2_CMAKE.format("p")
+    + "install(PROGRAMS scripts/n.py DESTINATION lib/${PROJECT_NAME})\nament_auto_package(INSTALL_TO_SHARE launch)\n",
+    SCRIPT_2: "#!/usr/bin/env python3\nimport rclpy\nfrom rclpy.node import Node\nfrom std_msgs.msg import String\n"
+    "class N(Node):\n    def __init__(self):\n        super().__init__('n')\n        self.create_publisher(String, 't', 1)\n"
+    "def main():\n    rclpy.init()\n    rclpy.spin(N())\nmain()\n",
+    LAUNCHED: "from launch import LaunchDescription\nfrom launch_ros.actions import Node\n\n"
+    "def generate_launch_description():\n    return LaunchDescription([Node(package='p', executable='n.py', name='a')])\n",
+}
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "is_other", "expected"),
+    (
+        ("name='a'", "name='b'", True, []),
+        ("import LaunchDescription", "import LaunchDescription  # and more", False, []),
+        ("'a')])", "'a')])\n\ndef other():\n    return 1", False, []),
+        ("import Node\n", "import Node\n\n\n", True, []),  # what stands below has other lines
+        ("import Node\n", "import Node, PushRosNamespace\n", False, []),
+        ("from launch_ros.actions", "from launch_ros", True, [SCRIPT_2]),  # another thing of that name
+        ("import Node\n", "import Node\n\nclass N: pass\n", True, [SCRIPT_2]),
+    ),
+)
+def test_imports_in_other_files(old: str, new: str, is_other: bool, expected: list[str], followed: list[str]) -> None:
+    """Who imports the same name elsewhere is not concerned by what else is there."""
+    calls, is_changed = again(IMPORTS, edited(IMPORTS, LAUNCHED, old, new), followed, 2)
+    assert (is_changed, sorted(set(calls))) == (is_other, expected)
 
 
 def test_classes_of_libraries(followed: list[str]) -> None:

@@ -4,16 +4,19 @@
 from __future__ import annotations
 
 import shutil
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from pathlib import Path
 
 import pytest
 from linter_samples import FakeLinter, MemoryStore, everything, workspace
 
-from haros_ci.linters.execute import Task
-from haros_ci.linters.linter import LintOptions, Program, Unit, When
+from haros_ci.linters.execute import Task, execute
+from haros_ci.linters.linter import Batch, Finding, LintOptions, Output, Program, Unit, When
+from haros_ci.linters.process import Processes
 from haros_ci.linters.run import lint
-from haros_ci.results.result import Run
+from haros_ci.model.location import Location
+from haros_ci.results.result import Result, Run
 from haros_ci.results.rule import Level
 
 CLEAN = {"a.py": "# say W1\n", "b.py": "x = 1\n", "d/c.py": "\n\n# say W2\n"}
@@ -343,3 +346,24 @@ def test_nothing_is_kept_for_an_adapter_that_nobody_wants(tmp_path: Path) -> Non
     store = MemoryStore()
     lint(workspace(tmp_path, {"a.py": ""}), [FakeLinter()], LintOptions(), store, everything)
     assert {name for name, _, _ in store.values} == {"fake"}
+
+
+def test_a_run_that_is_abandoned_does_not_read_on(tmp_path: Path) -> None:
+    """What a tool has said of a hostile file may take minutes to be weighed, in a thread that no signal reaches."""
+    processes = Processes()
+    read: list[int] = []
+
+    class Slow(FakeLinter):
+        def parse(self, output: Output, batch: Batch) -> Iterable[Finding]:
+            for line in range(1, 100):
+                read.append(line)
+                processes.stop()
+                yield Finding("a.py", Result(self.NAME, "W1", Level.WARNING, "W1 found", Location("a.py", line)))
+
+    space, linter = workspace(tmp_path, {"a.py": ""}), Slow()
+    program = linter.locate(LintOptions())
+    assert program is not None
+    task = Task(linter, program, LintOptions(), space, (Unit(space.files[0]),))
+    done = execute(task, processes, tmp_path / "scratch")
+    assert read == [1] and done.answers == ()
+    assert done.failures == (("fake could not be started (the run was abandoned); without a result: a.py", ("a.py",)),)

@@ -155,3 +155,13 @@ def test_a_tool_that_names_no_file_has_the_time_of_its_batch(tmp_path: Path) -> 
 class Silent(Telling):
     def command(self, program: Program, batch: Batch) -> Command:
         return replace(super().command(program, batch), progress=re.compile(rb"^at (.+)$", re.MULTILINE))
+
+
+def test_a_tool_that_has_lost_enough_time_is_not_started_again(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(process, "LOST", 0.5)
+    done, linter = run(tmp_path, {f"f{number}.py": "hang" for number in range(3)}, {})
+    assert len(linter.asked) == 2
+    assert sorted(note.message for note in done.notifications) == [
+        "fake could not be started (it has been stopped for 0.5 s in all); without a result: f1.py, f2.py",
+        "fake was stopped after 1 s with f0.py; without a result: f0.py",
+    ]

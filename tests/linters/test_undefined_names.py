@@ -9,7 +9,7 @@ import pytest
 from linter_samples import workspace
 
 from haros_ci.linters.loaded_files import loaded_files
-from haros_ci.linters.undefined_names import weighed_names
+from haros_ci.linters.undefined_names import uses_gettext, weighed_names
 from haros_ci.model.location import Location
 from haros_ci.results.result import Result
 from haros_ci.results.rule import Level
@@ -65,8 +65,37 @@ def test_names_that_may_be_there(text: str) -> None:
 
 
 def test_names_that_others_define() -> None:
-    assert level("_", "_('go')\n") is None and level("__class__", "__class__\n") is None
+    assert level("__class__", "__class__\n") is None
     assert level("_", "_('go')\n", rule="pylint:unused-variable") is Level.ERROR
+    assert level("profile", "@profile\ndef f():\n    pass\n") is None
+    assert level("profile", "def f():\n    return profile + 1\n") is Level.ERROR
+    assert level("profile", "@other(profile)\ndef f():\n    pass\n") is Level.ERROR
+
+
+@pytest.mark.parametrize(
+    ("text", "is_used"),
+    [
+        ("import gettext\ngettext.install('robot')\n", True),
+        ("import gettext\ngettext.translation('robot', 'po').install()\n", True),
+        ("from gettext import gettext\nimport builtins\nbuiltins._ = gettext\n", True),
+        ("# gettext.install('robot')\n", False),
+        ("NOTE = 'gettext.install( )'\n", False),
+        ("import gettext\n", False),
+        ("", False),
+    ],
+)
+def test_names_of_gettext(text: str, is_used: bool) -> None:
+    assert uses_gettext(text) is is_used
+    said = Result("pylint", "undefined-variable", Level.ERROR, "Undefined variable '_'", Location("a.py", 1, 1))
+    found = weighed_names([said], lambda path: "_('go')\n", lambda path: False, is_translated=lambda: is_used)
+    assert bool(found) is not is_used
+
+
+@pytest.mark.parametrize(
+    "text", ['TEXT = """\nfrom __future__ import annotations\n"""\n', "\"globals()['a'] = 1\"\n", "# exec(it)\n"]
+)
+def test_a_text_or_comment_makes_no_names(text: str) -> None:
+    assert level("Node", text + "def f(a: Node): pass\n") is Level.ERROR
 
 
 def test_a_level_that_the_settings_give_stands() -> None:

@@ -287,6 +287,45 @@ def test_comments_for_a_block_that_grows(base: str, head: str, lines: list[int])
     assert [place.line for place, _ in found.more] == lines
 
 
+SUPPRESS = "// cppcheck-suppress nullPointer\n"
+
+
+@pytest.mark.parametrize(
+    ("path", "base", "head", "lines"),
+    [
+        ("a.cpp", SUPPRESS + "*p = 1;\n", SUPPRESS + "*q = one(p);\n", [1]),
+        ("a.cpp", "*p = 1;  // NOLINT\n", "int a;\n*p = 2;  // NOLINT\n", [2]),
+        ("a.cpp", "// NOLINTNEXTLINE(bugprone-x)\n*p = 1;\n", "// NOLINTNEXTLINE(bugprone-x)\n*p = 2;\n", [1]),
+        ("a.py", "print(a)  # noqa: F821\n", "print(a, b)  # noqa: F821\n", [1]),
+        ("a.py", "print(a)  # noqa\n", "print(a, b)  # noqa\n", [1]),
+        (
+            "a.cpp",
+            "// cppcheck-suppress-file nullPointer\nf();\n",
+            "// cppcheck-suppress-file nullPointer\nf();\ng();\n",
+            [1],
+        ),
+        ("a.py", "# flake8: noqa\nf()\n", "# flake8: noqa\nf()\ng()\n", [1]),
+        ("a.cpp", SUPPRESS + "*p = 1;\n", "int a;\n" + SUPPRESS + "  *p  = 1;\nint b;\n", []),
+        ("a.cpp", "*p = 1;  // NOLINT(build/include_order)\n", "*p = 2;  // NOLINT(build/include_order)\n", []),
+        ("a.py", "print(a)  # noqa: E501\n", "print(a, b)  # noqa: E501\n", []),
+        ("a.py", "print(a)  # noqa: E501,W291\n", "print(a, b)  # noqa: E501,W291\n", []),
+        (
+            "a.cpp",
+            "// cppcheck-suppress-file nullPointer\nf();\n",
+            "// cppcheck-suppress-file nullPointer\nf( );\n// why\n",
+            [],
+        ),
+        ("a.py", "# flake8: noqa\nf()\n", "# flake8: noqa\nf()\n# more\n", []),
+        ("a.py", "a = 1  # noqa: F841\nb = 2\n", "a = 1  # noqa: F841\nb = 3\n", []),
+        ("a.py", "a = 1  # pylint: disable=x\n", "a = 2  # pylint: disable=x\n", []),
+    ],
+)
+def test_old_comments_over_code_that_changes(path: str, base: str, head: str, lines: list[int]) -> None:
+    language = "cpp" if path.endswith("cpp") else "python"
+    found = silenced([SilencedPair(path, language, head, base)], (), ())
+    assert [place.line for place, _ in found.more] == lines and found.comments == ()
+
+
 def test_more_is_put_in_words() -> None:
     silence = Silenced(more=((Location("a.py", 4), "undefined-variable"),))
     assert list(sentences(silence)) == [

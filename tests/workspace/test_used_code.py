@@ -13,6 +13,8 @@ from haros_ci.workspace.used_code import UsedCode
 PYTHON = "def f():\n    return undefined\n"
 BODY = "int f(int x) {\n  return x;\n}\n"
 
+NEWER = "type Number = int\nprint(undefined)\n"
+
 #: A file that refers to "src/part.…", its text, and the name and text of the part.
 FIRES = {
     "an include": ("src/a.cpp", '#include "part.inc"\n', "part.inc", BODY),
@@ -63,6 +65,37 @@ FIRES = {
         "part",
         "#!/usr/bin/env -S uv run --script\nimport os\n",
     ),
+    "a first line that asks for Python": (
+        "setup.py",
+        "DATA = [('lib/p', ['src/part.run'])]\n",
+        "part.run",
+        f"#!/usr/bin/env -S nice python3\n{NEWER}",
+    ),
+    "a copy that is kept": (
+        "setup.py",
+        "DATA = [('lib/p', ['src/part.old'])]\n",
+        "part.old",
+        "#!/usr/bin/env python3\nprint(undefined)\n",
+    ),
+    "a program whose first line has the name of another language": (
+        "CMakeLists.txt",
+        "install(PROGRAMS src/part.run DESTINATION lib/p)\n",
+        "part.run",
+        f"#!/usr/bin/env -S lua=1 nice python3\n{NEWER}",
+    ),
+    "lines that Python runs when it starts": (
+        "setup.py",
+        "",
+        "part.pth",
+        "# paths\nlib/more\nimport os; print(undefined)\n",
+    ),
+    "a notebook's interpreter": (
+        "a.launch",
+        '<launch><node launch-prefix="ipython src/part.ipy" pkg="p" type="n" name="n"/></launch>\n',
+        "part.ipy",
+        "%precision 3\nprint(x)\n",
+    ),
+    "Objective-C in a directory of sources": ("CMakeLists.txt", "aux_source_directory(src SOURCES)\n", "part.M", BODY),
     "an archive": ("a.py", "sys.path.insert(0, 'part.zip')\n", "part.zip", "\0"),
     "another way to exec": (
         "a.py",
@@ -368,6 +401,26 @@ QUIET = {
         "import os\n",
     ),
     "an address in a list of options": ("CMakeLists.txt", "# mail a@b.org about src/part.dat\n", "part.dat", BODY),
+    "paths alone": ("setup.py", "DATA = ['src/part.pth']\n", "part.pth", "# import os\nlib/more\nimportant/one\n"),
+    "another language": (
+        "setup.py",
+        "DATA = ['src/part.run']\n",
+        "part.run",
+        "#!/usr/bin/env -S nice perl\nprint $x;\n",
+    ),
+    "a first line that nobody names": (
+        "setup.py",
+        "DATA = ['src/part.run.txt']\n",
+        "part.run",
+        "#!/usr/bin/env -S nice python3\nx = 1\n",
+    ),
+    "a script of Matlab": ("CMakeLists.txt", "add_executable(a src/a.cpp)\n", "part.m", BODY),
+    "Matlab in a directory of sources": (
+        "CMakeLists.txt",
+        "aux_source_directory(src SOURCES)\n",
+        "part.m",
+        "function y = f(x)\n  y = x;\nend\n",
+    ),
     "weights": ("a.py", "exec(x)\nload('part.pth')\n", "part.pth", "\0"),
     "what a program of Python is given": (
         "a.py",
@@ -538,6 +591,11 @@ def test_launch_files_by_their_text_alone(name: str, text: str, other: str, is_s
         ("part.inc", BODY, "C++"),
         ("part", "// a\n" + BODY, "C++"),
         ("part.dat", PYTHON, "Python"),
+        ("part.old", "#!/usr/bin/env python3\nprint(x)\n", "Python"),
+        ("part.run", f"#!/usr/bin/env -S nice python3\n{NEWER}", "Python"),
+        ("part.ipynb", '{"cells": [{"cell_type": "code", "source": []}]}\n', "Python"),
+        ("part.ipynb", '{"cells": [{"cell_type": "markdown", "source": []}]}\n', ""),
+        ("part.run", "#!/bin/sh\nprint(x)\n", ""),
         ("part.md", PYTHON, "Python"),
         ("part.pyi", PYTHON, ""),
         ("part.java", "class A { int f(int x) { return x; } }\n", ""),

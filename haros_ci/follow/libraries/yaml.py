@@ -11,7 +11,6 @@ from haros_ci.follow import alternatives, construct, dynamic
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.walk import Walk
 from haros_ci.index.plugins import PluginDescription
-from haros_ci.index.trace import YAML_FILES
 from haros_ci.model.location import Location
 from haros_ci.values.abstract import NONE, Cell, Choice, Known, Object, Opaque, Sequence, Value, opaque_of
 
@@ -111,9 +110,7 @@ def is_declared(walk: Walk, loader: Object, name: Value) -> Value | None:
 def yaml_file(walk: Walk, path: Value) -> Value:
     if isinstance(path, Known) and issubclass(path.kind, str):
         if walk.index.trace is not None:
-            walk.index.trace.paths.add(YAML_FILES)
-            is_traced = not path.value or path.of(str).endswith((".yaml", ".yml"))  # no file has no name
-            walk.index.trace.is_whole = walk.index.trace.is_whole and is_traced
+            walk.index.trace.read[path.of(str)] = walk.context.read_yaml.digest(path.of(str))
         found = walk.context.read_yaml(path.of(str))
         if found is not None:
             return found

@@ -1,0 +1,167 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Files that a change puts in the place of others: named, where the base did not have it so."""
+
+from __future__ import annotations
+
+import subprocess
+from pathlib import Path
+
+import pytest
+
+from haros_ci.workspace.discover import discover
+from haros_ci.workspace.shadowing import shadowed
+
+MANIFEST = "<package format='3'><name>{}</name><version>1.0.0</version></package>\n"
+USE = '#include "arm/give.hpp"\nint main() { return give(); }\n'
+GIVE = "inline int give() { return 1; }\n"
+LISTS = "project(arm)\nadd_executable(driver src/driver.cpp)\n"
+FIRST = "target_include_directories(driver PUBLIC {})\n"
+HEADER = {"arm/package.xml": MANIFEST.format("arm"), "arm/src/driver.cpp": USE, "arm/include/arm/give.hpp": GIVE}
+OTHER = {"more/package.xml": MANIFEST.format("more")}
+PYTHON = {"tool/package.xml": MANIFEST.format("tool"), "tool/tool/names.py": "A = 1\n", "tool/tool/__init__.py": ""}
+INSTALL = "install(PROGRAMS {} DESTINATION lib/arm)\n"
+DEPENDS = HEADER | {
+    "arm/package.xml": MANIFEST.format("arm").replace("</version>", "</version><depend>rclcpp</depend>")
+}
+TARGET = "install(TARGETS driver DESTINATION lib/arm)\n"
+
+
+def brought(place: Path, base: dict[str, str], head: dict[str, str]) -> list[tuple[str, str]]:
+    spaces = []
+    for side, files in (("base", base), ("head", base | head)):
+        for name, text in files.items():
+            path = place / side / name
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(text)
+        subprocess.run(["git", "init", "-q", place / side], check=True)
+        spaces.append(discover(place / side, ()))
+    return [(problem.path, problem.message) for problem in shadowed(spaces[1], spaces[0])]
+
+
+@pytest.mark.parametrize(
+    ("base", "head", "path", "words"),
+    [
+        (
+            HEADER,
+            {"arm/first/arm/give.hpp": GIVE},
+            "arm/first/arm/give.hpp",
+            "may mean this file or arm/include/arm/give.hpp",
+        ),
+        (
+            HEADER | OTHER,
+            {"more/include/arm/give.hpp": GIVE},
+            "more/include/arm/give.hpp",
+            "may mean this file or arm/",
+        ),
+        (
+            HEADER | {"arm/first/arm/give.hpp": GIVE, "arm/CMakeLists.txt": LISTS + FIRST.format("include first")},
+            {"arm/CMakeLists.txt": LISTS + FIRST.format("first include")},
+            "arm/first/arm/give.hpp",
+            "may mean this file or arm/include/arm/give.hpp",
+        ),
+        (PYTHON, {"tool/tool/names/__init__.py": ""}, "tool/tool/names/__init__.py", "in place of tool/tool/names.py"),
+        (DEPENDS, {"arm/rclcpp/rclcpp.hpp": GIVE}, "arm/rclcpp/rclcpp.hpp", "linters take this for rclcpp/rclcpp.hpp"),
+        (
+            DEPENDS,
+            {"arm/src/rclcpp/node.hpp": GIVE},
+            "arm/src/rclcpp/node.hpp",
+            "linters take this for rclcpp/node.hpp",
+        ),
+        (
+            DEPENDS,
+            {"arm/include/rclcpp/node.hpp": GIVE},
+            "arm/include/rclcpp/node.hpp",
+            "linters take this for rclcpp/node.hpp",
+        ),
+        (HEADER, {"arm/src/stdlib.h": GIVE}, "arm/src/stdlib.h", "linters take this for stdlib.h"),
+        (PYTHON, {"tool/json.py": "A = 1\n"}, "tool/json.py", "the module json of Python's own"),
+        (PYTHON, {"json/__init__.py": ""}, "json/__init__.py", "the module json of Python's own"),
+        (PYTHON, {"queue.py": ""}, "queue.py", "the module queue of Python's own"),
+        (
+            PYTHON,
+            {"tool/tool/names.cpython-312-x86_64-linux-gnu.so": ""},
+            "tool/tool/names.cpython-312-x86_64-linux-gnu.so",
+            "in place of",
+        ),
+        (
+            HEADER,
+            {"arm/CMakeLists.txt": LISTS + INSTALL.format("a/go b/go")},
+            "arm/CMakeLists.txt",
+            "a/go and b/go are installed as lib/arm/go",
+        ),
+        (
+            HEADER,
+            {"arm/CMakeLists.txt": LISTS + TARGET + INSTALL.format("b/driver")},
+            "arm/CMakeLists.txt",
+            "driver and b/driver are",
+        ),
+        (
+            HEADER,
+            {"arm/CMakeLists.txt": f"if(A)\n{INSTALL.format('a/go')}endif()\n" + INSTALL.format("go")},
+            "arm/CMakeLists.txt",
+            "a/go and go",
+        ),
+    ],
+)
+def test_named(tmp_path: Path, base: dict[str, str], head: dict[str, str], path: str, words: str) -> None:
+    ((place, message),) = brought(tmp_path, base, head)
+    assert place == path and words in message
+
+
+TWICE = HEADER | {"arm/first/arm/give.hpp": GIVE}
+
+
+@pytest.mark.parametrize(
+    ("base", "head"),
+    [
+        (HEADER, {"arm/include/arm/other.hpp": GIVE}),
+        (HEADER, {"arm/src/give.hpp": GIVE}),
+        (HEADER, {"arm/first/arm/give.txt": GIVE}),
+        (HEADER | OTHER, {"more/include/more/give.hpp": GIVE, "more/src/a.cpp": '#include "more/give.hpp"\n'}),
+        (HEADER | OTHER, {"more/src/give.hpp": GIVE, "more/src/a.cpp": '#include "give.hpp"\n'}),
+        (
+            HEADER,
+            {
+                "arm/src/one/own.hpp": GIVE,
+                "arm/src/one/a.cpp": '#include "own.hpp"\n',
+                "arm/src/two/own.hpp": GIVE,
+                "arm/src/two/a.cpp": '#include "own.hpp"\n',
+            },
+        ),
+        (TWICE, {"arm/src/driver.cpp": USE + "int other();\n"}),
+        (TWICE, {"arm/first/arm/give.hpp": GIVE + "int other();\n"}),
+        (
+            TWICE | {"arm/CMakeLists.txt": LISTS + FIRST.format("first")},
+            {"arm/CMakeLists.txt": LISTS + FIRST.format("first") + "# more\n"},
+        ),
+        (PYTHON, {"tool/tool/others/__init__.py": ""}),
+        (DEPENDS, {"arm/src/node.hpp": GIVE, "arm/include/arm/rclcpp/node.hpp": GIVE, "arm/src/arm/other.hpp": GIVE}),
+        (DEPENDS, {"arm/rclcpp.hpp": GIVE, "arm/src/rclcpp.cpp": GIVE, "arm/include/arm/stdlib.h": GIVE}),
+        (DEPENDS | {"arm/src/rclcpp/node.hpp": GIVE}, {"arm/src/rclcpp/node.hpp": GIVE + "int b;\n"}),
+        (PYTHON, {"tool/tool/json.py": ""}),
+        (PYTHON, {"tool/tool/json/__init__.py": ""}),
+        (PYTHON, {"tool/test/__init__.py": "", "tool/setup.py": ""}),
+        (PYTHON | {"tool/json.py": ""}, {"tool/json.py": "A = 1\n"}),
+        (PYTHON, {"tool/tool/names/data.txt": ""}),
+        (PYTHON | {"tool/tool/names/__init__.py": ""}, {"tool/tool/names/__init__.py": "A = 2\n"}),
+        (PYTHON, {"tool/lib/libnames.so": ""}),
+        (HEADER, {"arm/CMakeLists.txt": LISTS + INSTALL.format("a/go b/stop")}),
+        (HEADER, {"arm/CMakeLists.txt": LISTS + INSTALL.format("a/go") + INSTALL.format("a/go")}),
+        (
+            HEADER,
+            {"arm/CMakeLists.txt": LISTS + INSTALL.format("a/go") + "install(PROGRAMS b/go DESTINATION lib/more)\n"},
+        ),
+        (
+            HEADER | {"arm/CMakeLists.txt": INSTALL.format("a/go b/go")},
+            {"arm/CMakeLists.txt": INSTALL.format("a/go b/go") + LISTS},
+        ),
+    ],
+)
+def test_quiet(tmp_path: Path, base: dict[str, str], head: dict[str, str]) -> None:
+    assert brought(tmp_path, base, head) == []
+
+
+def test_headers_of_one_name_without_number(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("haros_ci.workspace.shadowing._MOST_LOOKS", 1)
+    ((path, message),) = brought(tmp_path, HEADER, {f"arm/first{i}/arm/give.hpp": GIVE for i in range(3)})
+    assert path == "arm/first0/arm/give.hpp" and "so many headers are called give.hpp" in message
