@@ -43,7 +43,7 @@ SPENT_ASKED = 20_000
 #: Steps that may go into one function in rehearsals, even if it makes something.
 REHEARSED = 10_000
 #: Steps of rehearsals after which a function is rehearsed no longer than one that makes nothing is followed.
-MANY = 20_000
+MANY = 30_000
 #: Why a node may have more than what was made, and why a value is not known.
 #: Why what is made may not be, of sources of which a build has one.
 ONE_OF = "it is in one of several files of which a build has one"

@@ -17,7 +17,7 @@ from haros_ci.values.abstract import Known, Value
 #: Steps that callbacks may put into one function that could make something, and has made nothing so far.
 IDLE = 800
 #: The same of one that the node calls in its beginning, in so many calls: one that makes something may first be called in vain.
-BARREN, OFTEN = 4_000, 8
+BARREN, OFTEN = 12_000, 8
 #: The same where nothing was made in so many steps of the node.
 BARREN_DRY, OFTEN_DRY, DRY = 300, 4, 20_000
 #: What is said of a node of which a function is not followed any more.

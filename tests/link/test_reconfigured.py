@@ -56,3 +56,43 @@ def test_what_a_server_writes_is_not_known(made: Any) -> None:
 def test_what_a_node_writes_itself_is_known() -> None:
     files = cpp_files(main('nh.setParam("a", 3);'), LAUNCH.format("n", ""))
     assert values(node(follow(files)), "setters") == {"a": 3}
+
+
+CALLBACK = """#include <p/XConfig.h>
+ros::Publisher pub;
+void changed(p::XConfig& config, uint32_t level) {
+  ros::NodeHandle nh;
+  if (config.%s) pub = nh.advertise<std_msgs::String>("then", 1); else pub = nh.advertise<std_msgs::String>("other", 1);
+  pub = nh.advertise<std_msgs::String>(config.frame, 1);
+}
+"""
+
+
+@pytest.mark.parametrize("test", ["on", "rate > 3", "on == true", "rate == 5"])
+def test_what_a_callback_is_given_rules_nothing_out(test: str) -> None:
+    """Switches are there to be changed; a text of the .cfg is known, as it mostly names something."""
+    body = SERVER + " server.setCallback(changed); ros::spin();"
+    files = cpp_files(main(body, CALLBACK % test), LAUNCH.format("n", ""))
+    files["p/CMakeLists.txt"] += OPTIONS
+    found = node(follow(files | {"p/cfg/X.cfg": CFG}))
+    made = {end.name: end.is_ruled_out for end in found.endpoints if end.kind == "publishers"}
+    assert made.get("/then") is False, made
+    assert made.get("/other") is False, made
+    assert "/map" in made
+
+
+@pytest.mark.parametrize(
+    ("statement", "name"),
+    [
+        ('new (&nh) ros::NodeHandle("~/a");', "/n/a/x"),
+        ('new (&(nh)) ros::NodeHandle("b");', "/b/x"),
+        ('new (&nh) ros::NodeHandle("a"); new (&nh) ros::NodeHandle("c");', "/c/x"),
+        ("ros::NodeHandle* other = new (&nh) ros::NodeHandle; (void)other;", "/x"),
+        ('new ros::NodeHandle("~/a");', "/x"),
+        ('new (std::nothrow) ros::NodeHandle("~/a");', "/x"),
+    ],
+)
+def test_what_is_made_in_the_place_of_a_variable(statement: str, name: str) -> None:
+    files = cpp_files(main(f'{statement} auto pub = nh.advertise<std_msgs::String>("x", 1);'), LAUNCH.format("n", ""))
+    found = node(follow(files))
+    assert [end.name for end in found.endpoints if end.kind == "publishers"] == [name]

@@ -98,7 +98,23 @@ def new(unit: Unit, node: Node, depth: int) -> syntax.Expression:
     if node.child_by_field_id(_DECLARATOR) is not None:
         made = made.marked("*")
     line, column = unit.position(node)
-    return syntax.New(made, () if argument is None else expressions.arguments(unit, argument, depth), line, column)
+    arguments = () if argument is None else expressions.arguments(unit, argument, depth)
+    there = _placed(unit, node, depth)
+    if there is not None:
+        return syntax.Assignment(
+            "=", there, syntax.Call(syntax.Name(made.name), arguments, made.arguments, line, column)
+        )
+    return syntax.New(made, arguments, line, column)
+
+
+def _placed(unit: Unit, node: Node, depth: int) -> syntax.Expression | None:
+    """The variable in whose place a statement makes an object anew: ``new (&x) T(y);`` is ``x = T(y);``. None for other forms."""
+    placement = node.child_by_field_name("placement")
+    parent = node.parent
+    if placement is None or parent is None or parent.type != "expression_statement":
+        return None
+    places = expressions.arguments(unit, placement, depth)
+    return places[0].value if len(places) == 1 and isinstance(places[0], syntax.Address) else None
 
 
 #: Containers with a constructor of a list of elements.

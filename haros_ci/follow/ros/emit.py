@@ -148,7 +148,7 @@ def _set(applied: Applied, name: str, value: Value) -> None:
 
 
 def _remember(applied: Applied, entry: Entry, value: Value | None) -> None:
-    """A dynamic_reconfigure parameter's value, for the callback that gets them all."""
+    """A dynamic_reconfigure parameter's value, for the callback that gets them all: switches and numbers are there to be changed, texts mostly name things."""
     from haros_ci.follow.ros.selectors import config_name, select_value
 
     assert entry.each is not None and applied.item is not None
@@ -156,6 +156,8 @@ def _remember(applied: Applied, entry: Entry, value: Value | None) -> None:
     config = applied.walk.config_objects.setdefault(name, Object(name))
     member = applied.item["name"]
     name = member.of(str) if isinstance(member, Known) else ""
+    if isinstance(value, Known) and not issubclass(value.kind, str):
+        value = Opaque(RECONFIGURED, applied.location)
     config.fields[name] = Cell(value if value is not None else Opaque("a parameter that is not set"))
 
 
