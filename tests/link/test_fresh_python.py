@@ -39,6 +39,9 @@ KNOWN = (
     case("table of classes", CLASSES + 'd = {"a": A, "b": B}\no = d[x()]("/n")', "/a/n", "/b/n"),
     case("table of texts", 'd = {"a": "x", "b": "y"}\nPUB(d[x()])', "/?"),
     case("table of one text", 'd = {"a": "x"}\nPUB(d[x()])', "/?"),
+    case("what a type checker is to take it for", 'from typing import cast\nPUB(cast(str, "x"))', "/x"),
+    case("the same of the module", 'import typing\nPUB(typing.cast("str", "x"))', "/x"),
+    case("a cast of one's own", 'def cast(t, v):\n    return v + "y"\nPUB(cast(str, "x"))', "/xy"),
     case("empty table", TWO + "d = {}\nd[x()]()"),
     case(
         "methods in a table of the object",

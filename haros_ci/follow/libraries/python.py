@@ -46,6 +46,8 @@ if TYPE_CHECKING:
 
 #: What makes a dictionary; ``[dict]`` is the one of a comprehension.
 DICTS = frozenset(("dict", "[dict]", "collections.OrderedDict"))
+#: What gives back its second argument (docs.python.org/3/library/typing.html#typing.cast).
+CASTS = frozenset(("typing.cast", "typing_extensions.cast"))
 YAML = frozenset(("yaml.load", "yaml.safe_load", "yaml.full_load"))
 
 
@@ -118,6 +120,8 @@ def function(walk: Walk, frame: Frame, name: str, args: tuple[PassedArgument, ..
     plain = python_texts.computed(walk, frame, name, args) or python_numbers.called(walk, frame, name, args)
     if plain is not None:
         return plain
+    if name in CASTS and len(args) == 2:
+        return args[1].value
     if name == "re.sub":
         return partly_texts.substituted(args)
     if name in ("os.path.join", "posixpath.join") and args:
