@@ -84,7 +84,7 @@ def weighed_names(
                 continue
             if _is_never_run(result, whole) or is_given_by_tool(result.location.path, name[1], whole, is_extra):
                 continue
-            if _is_brought(name[1], result, whole, is_translated):
+            if _is_brought(name[1], result, whole, is_translated) or _is_set_by_text(name[1], whole):
                 continue
             if name[1] in OF_PYTHON_2 and _is_ready(result, whole):
                 continue
@@ -117,6 +117,17 @@ def _is_brought(name: str, result: Result, text: str, is_translated: Callable[[]
     return any(
         isinstance(one, ast.Name) and one.id == name and one.lineno == result.location.line for one in decorators
     )
+
+
+def _is_set_by_text(name: str, text: str) -> bool:
+    """Whether the file has code of its own as a text run that begins by setting *name*: ``exec("ret = self." + command)``."""
+    if "exec" not in text:
+        return False
+    every = nodes(text)
+    runs = any(isinstance(one, ast.Call) and isinstance(one.func, ast.Name) and one.func.id == "exec" for one in every)
+    sets = re.compile(rf"\s*{re.escape(name)}\s*=(?!=)")
+    texts = (one.value for one in every if isinstance(one, ast.Constant) and isinstance(one.value, str))
+    return runs and any(map(sets.match, texts))
 
 
 def _is_ready(result: Result, text: str) -> bool:

@@ -31,12 +31,29 @@ def level(name: str, text: str, *, ros1: bool = True, rule: str = "pylint:undefi
         ("corners", "print('a', corners, 'b')\n"),
         ("corners", "print(f'{corners}')\n"),
         ("corners", "executor.exec(corners)\n"),
+        ("corners", "corners\nexecutor.exec('corners = 1')\n"),
+        ("corners", "corners\na = 'corners = 1'\n"),
         ("corners", "print(globals()); corners\n"),
         ("corners", "import sys\nif sys.version_info[0] < 3:\n    corners\n"),
     ],
 )
 def test_errors(name: str, text: str) -> None:
     assert level(name, text) is Level.ERROR and level(name, text, ros1=False, rule="ruff:F821") is Level.ERROR
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("exec('ret = et.' + cmd)\nret\n", None),
+        ("line = 'ret = ' + cmd\nexec(line)\nret\n", None),
+        ("exec('ret == et.' + cmd)\nret\n", Level.WARNING),
+        ("exec('other = et.' + cmd)\nret\n", Level.WARNING),
+        ("exec(cmd)\nret\n", Level.WARNING),
+        ("ret\n# exec('ret = 1')\n", Level.ERROR),
+    ],
+)
+def test_names_that_a_text_sets(text: str, expected: Level | None) -> None:
+    assert level("ret", text) is expected
 
 
 @pytest.mark.parametrize(
