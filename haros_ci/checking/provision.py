@@ -192,6 +192,7 @@ def first_provider(names: frozenset[str], package: ProjectPackage) -> str:
             not is_to_be_had_today(n, package),
             _is_idle_module(n, package),
             not is_of_ros(n, project),
+            _has_its_own(n, names),
             bool(families) and _family(n) not in {"", *families},
             n.endswith(_MODULE),
             n.endswith("-pip"),
@@ -201,6 +202,11 @@ def first_provider(names: frozenset[str], package: ProjectPackage) -> str:
             n,
         ),
     )
+
+
+def _has_its_own(name: str, names: frozenset[str]) -> bool:
+    """Whether Python has a package of its own among *names*, which *name*, of C++ alone since then, does not bring: tf2_ros_py for tf2_ros, from Galactic on."""
+    return f"{name}_py" in names
 
 
 def _is_idle_module(name: str, package: ProjectPackage) -> bool:
@@ -229,6 +235,7 @@ def others_of(names: frozenset[str], name: str, package: ProjectPackage) -> list
         return []
     usable = [n for n in names if n != name and _is_name(n, package.project) and exists(frozenset((n,)), package)]
     usable = [n for n in usable if is_to_be_had_today(n, package) and not _is_idle_module(n, package)]
+    usable = [n for n in usable if not _has_its_own(n, names)]
     return sorted(usable, key=lambda n: (n.startswith("python-"), len(n), n))[:_SHOWN]
 
 

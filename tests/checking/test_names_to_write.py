@@ -104,3 +104,20 @@ def test_a_manifest_without_its_build_tool(needs: str, count: int, tmp_path: Pat
     found = messages("undeclared-dependency", files, tmp_path / "a")
     assert len(found) == count and all("add <buildtool_depend>ament_cmake</buildtool_depend>" in one for one in found)
     assert messages("wrong-build-type", files, tmp_path / "b") == []
+
+
+@pytest.mark.parametrize(
+    ("module", "name", "other"),
+    [("tf2_ros", "tf2_ros_py", "tf2_ros"), ("sensor_msgs_py", "sensor_msgs_py", "sensor_msgs")],
+)
+def test_the_package_of_python_is_proposed(module: str, name: str, other: str, tmp_path: Path) -> None:
+    """From Galactic on tf2_ros is of C++ alone: who adds it has the failing import still."""
+    files = {
+        "package.xml": MANIFEST.format("<exec_depend>rclpy</exec_depend>", "ament_python"),
+        "setup.py": SETUP,
+        "demo/__init__.py": "",
+        "demo/run.py": f"{RUN}import {module}\n",
+    }
+    (message,) = messages("undeclared-import", files, tmp_path)
+    assert f"<exec_depend>{name}</exec_depend>" in message
+    assert f"<exec_depend>{other}</exec_depend>" not in message and f"(or {other})" not in message
