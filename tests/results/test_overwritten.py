@@ -18,8 +18,8 @@ SECOND = "def make():\n    return 2\n"
         "import os\n\n\n",
         "LIMIT = 3\n\n\n",
         "def other():\n    return make()\n\n\n",
-        "@cached\ndef other(a=LIMIT):\n    return make()\n\n\n",
         "class Other:\n    def run(self):\n        return 1\n\n\n",
+        "class Other:\n    @property\n    def run(self):\n        return make()\n\n\n",
         "'''a text'''\n",
     ],
 )
@@ -38,6 +38,7 @@ def test_the_first_of_two(between: str) -> None:
         "class Keep:\n    value = sys.modules[__name__].make()\n\n\n",
         "class Keep:\n    value = eval('ma' 'ke()')\n\n\n",
         "from builtins import globals as all_of_them\n\n\n",
+        "@cached\ndef other(a=LIMIT):\n    return make()\n\n\n",
     ],
 )
 def test_a_function_that_may_be_reached_by_its_name_as_a_text(between: str) -> None:
