@@ -117,7 +117,7 @@ def _same_but_idle(
         idle_ones.append(Counter(gone.values()))
     others = (idle_ones[0] - idle_ones[1]) + (idle_ones[1] - idle_ones[0])
     is_named = any(not names.isdisjoint(_WORD.findall(line)) for line in others)
-    return None if is_named else _same_text(*sides), *bare
+    return None if is_named else _same_text(sides[0], sides[1]), *bare
 
 
 def _lines_of(text: str, language: str) -> list[tuple[int, str]]:
