@@ -7,6 +7,7 @@ Who adds or changes such a statement has the same programs but for their lines, 
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, replace
 from typing import cast
@@ -24,6 +25,8 @@ _LOG = re.compile(
     r"(?:_(?:STREAM|NAMED|ONCE|THROTTLE|SKIPFIRST|DELAYED|COND|EXPRESSION))*"
 )
 _WORD = re.compile(rb"\w+")
+#: What the name of a lambda has behind that of the function around it.
+_LAMBDA = "::(lambda)"
 #: Functions of nodes, clocks and texts that only read, by the last parts of their names.
 GETTERS = frozenset(
     "get_logger get_clock get_name get_namespace get_fully_qualified_name get_effective_namespace get_topic_name "
@@ -73,20 +76,20 @@ class Idle:
         if program.language == "python":
             return program
         try:
-            functions = tuple([self._function(function, program) for function in program.functions])
+            uses = _Uses(program)
+            functions = tuple([self._function(function, uses) for function in program.functions])
         except RecursionError:
             return program
         is_same = all(one is other for one, other in zip(functions, program.functions, strict=True))
         return program if is_same else syntax.replace(program, functions=functions)
 
-    def _function(self, function: Function, program: Program) -> Function:
+    def _function(self, function: Function, uses: _Uses) -> Function:
         if not function.body:
             return function
         body = _filtered(function.body, self._is_idle)
         names = frozenset(variable.name for variable in _variables(body))
         if names:
-            words = _WORD.findall(_text(body, function, program))
-            unused = {name for name in names if words.count(name.encode()) == 1}
+            unused = names & uses.once(body, function)
             if unused:
                 body = _filtered(body, lambda part: part.__class__ is syntax.Variable and part.name in unused)
         return function if body is function.body else syntax.replace(function, body=body)
@@ -201,8 +204,19 @@ def _is_literal(part: Record) -> bool:
     return part.__class__ in _LITERALS
 
 
-def _text(body: Block, function: Function, program: Program) -> bytes:
-    """All that may mention a variable of *function*: its body, lambdas in it, and macros of the file."""
-    inner = f"{function.name}::(lambda)"
-    lambdas = tuple([other for other in program.functions if other.name.startswith(inner)])
-    return b"\n".join((plain(body), plain(lambdas), *(text.encode() for _, _, text in program.macros)))
+class _Uses:
+    """The words of a program that may mention a variable: of a function's body, of lambdas in it, and of all macros of the file, which are read once."""
+
+    def __init__(self, program: Program) -> None:
+        self._macros = {word for _, _, text in program.macros for word in _WORD.findall(text.encode())}
+        self._lambdas: dict[str, list[Function]] = {}
+        for function in program.functions:
+            parts = function.name.split(_LAMBDA)
+            for number in range(1, len(parts)):
+                self._lambdas.setdefault(_LAMBDA.join(parts[:number]), []).append(function)
+
+    def once(self, body: Block, function: Function) -> frozenset[str]:
+        """The words that stand there once."""
+        lambdas = tuple(self._lambdas.get(function.name, ()))
+        counts = Counter(_WORD.findall(b"\n".join((plain(body), plain(lambdas)))))
+        return frozenset(word.decode() for word, count in counts.items() if count == 1 and word not in self._macros)
