@@ -53,14 +53,18 @@ def _cause(message: str) -> tuple[str, ...]:
     return tuple(part for part in message.rstrip(".").split("; ") if not part.startswith(_SEEN))
 
 
-def _joined(first: Result, others: Sequence[Result]) -> Result:
+def standing_for(first: Result, others: Sequence[Result], where: str) -> Result:
+    """*first*, which says in words (*where*: ``2 copies``) that it stands for *others*, and has their places."""
     names = ", ".join(other.location.path for other in others[:NAMED])
     more = ", …" if len(others) > NAMED else ""
-    files = "1 other file" if len(others) == 1 else f"{len(others)} other files"
     places = tuple(Related(other.location, f"The same in {other.location.path}.") for other in others[:MOST])
     return replace(
         first,
-        message=f"{first.message.rstrip('.')}; and the same in {files} ({names}{more})",
+        message=f"{first.message.rstrip('.')}; and the same in {where} ({names}{more})",
         related=(*first.related, *places),
         copies=tuple(others),
     )
+
+
+def _joined(first: Result, others: Sequence[Result]) -> Result:
+    return standing_for(first, others, "1 other file" if len(others) == 1 else f"{len(others)} other files")

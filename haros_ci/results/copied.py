@@ -17,13 +17,11 @@ from posixpath import splitext
 
 from haros_ci.model.location import Location
 from haros_ci.results import alike as beside
-from haros_ci.results.across import across
+from haros_ci.results.across import across, standing_for
 from haros_ci.results.comments import bare, lines_of, syntax
-from haros_ci.results.result import Related, Report, Result, Run
+from haros_ci.results.result import Report, Result, Run
 from haros_ci.results.scope import LineScopes, scopes
 
-#: A finding names no more other places than this.
-MOST = 40
 #: Texts of more characters are compared with no other.
 LARGEST = 400_000
 #: Different texts that the findings of one rule and shape are compared with.
@@ -32,8 +30,6 @@ MOST_HEADS = 30
 LEAST_LINES = 5
 #: Names, beside those of the package and the path, in which copies may differ: one written in two ways.
 OTHER_NAMES = 2
-#: Copies that the message names.
-NAMED = 2
 
 _TOKEN = re.compile(r"\w+|[^\w\s]")
 _WORD = re.compile(r"\w+")
@@ -96,16 +92,7 @@ def _groups(results: Sequence[tuple[int, Result]], texts: _Texts) -> Iterable[li
 
 
 def _joined(first: Result, others: Sequence[Result]) -> Result:
-    names = ", ".join(other.location.path for other in others[:NAMED])
-    more = ", …" if len(others) > NAMED else ""
-    count = "1 copy" if len(others) == 1 else f"{len(others)} copies"
-    places = tuple(Related(other.location, f"The same in {other.location.path}.") for other in others[:MOST])
-    return replace(
-        first,
-        message=f"{first.message.rstrip('.')}; and the same in {count} ({names}{more})",
-        related=(*first.related, *places),
-        copies=tuple(others),
-    )
+    return standing_for(first, others, "1 copy" if len(others) == 1 else f"{len(others)} copies")
 
 
 @dataclass(frozen=True, slots=True)
