@@ -6,6 +6,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+from haros_ci.linters.macros_elsewhere import DEFINED
 from haros_ci.model.workspace import Workspace
 from haros_ci.results.code_alone import code_alone
 from haros_ci.results.result import Notification
@@ -13,7 +14,6 @@ from haros_ci.results.rule import Level
 
 #: Macros that are named; the rest is counted.
 MOST = 10
-_DEFINED = re.compile(r"^[ \t]*(?:#|%:)[ \t]*define[ \t]+([A-Za-z_]\w{0,100})\b((?:[^\n\\]|\\\r?\n|\\.){0,8000})", re.M)
 #: What makes them, of rclcpp and roscpp.
 _MAKES = re.compile(
     r"\b(create_(?:publisher|subscription|service|client|wall_timer|timer)|advertise(?:Service)?|subscribe|serviceClient|createTimer|createWallTimer)\b"
@@ -51,6 +51,6 @@ def _macros(text: str) -> Iterator[tuple[int, str, str]]:
     if "define" not in text or _MAKES.search(text) is None:
         return
     code = code_alone(text, "c")
-    for match in _DEFINED.finditer(code):
+    for match in DEFINED.finditer(code):
         if _MAKES.search(match[2]):
             yield code.count("\n", 0, match.start()) + 1, match[1], "".join(match[2].split())

@@ -16,10 +16,8 @@ from haros_ci.model.workspace import Workspace
 #: Headers that are looked at for one file.
 _MOST = 300
 _INCLUDE = re.compile(r"^[ \t]*(?:#|%:)[ \t]*(?:include(?:_next)?|import)[ \t]*[\"<]([^\">\n]{1,300})", re.M)
-#: A macro that holds a statement or block, over several lines, too.
-_WITH_CODE = re.compile(
-    r"^[ \t]*(?:#|%:)[ \t]*define[ \t]+([A-Za-z_]\w{0,100})\b((?:[^\n\\]|\\\r?\n|\\.){0,8000})", re.M
-)
+#: A macro with its words, over several lines, too.
+DEFINED = re.compile(r"^[ \t]*(?:#|%:)[ \t]*define[ \t]+([A-Za-z_]\w{0,100})\b((?:[^\n\\]|\\\r?\n|\\.){0,8000})", re.M)
 _CODE = re.compile(r"\b(?:return|throw|goto|delete)\b|[{;]")
 _WORD = re.compile(r"[A-Za-z_]\w*")
 
@@ -73,7 +71,7 @@ class MacrosElsewhere:
             hidden = dead(text)
             names = (match[1] for match in _INCLUDE.finditer(text) if not is_in(match.start(), hidden))
             macros = (
-                (match[1] for match in _WITH_CODE.finditer(text) if _CODE.search(match[2])) if "define" in text else ()
+                (match[1] for match in DEFINED.finditer(text) if _CODE.search(match[2])) if "define" in text else ()
             )
             found = self._read[path] = (tuple(dict.fromkeys(names)), frozenset(macros))
         return found
