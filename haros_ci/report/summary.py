@@ -99,7 +99,7 @@ def stood_for(report: Report) -> str:
         return ""
     one = len(shown) == 1
     who, cause = ("It stands", "cause") if one else ("They stand", "causes")
-    return f"{who} for {left:,} more of the same {cause}: formats for programs have {len(shown) + left:,}."
+    return f"{who} for {left:,} more of the same {cause}: SARIF and JSON list all {len(shown) + left:,}."
 
 
 def known(counts: ResultCounts) -> str:

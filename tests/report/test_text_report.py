@@ -106,20 +106,20 @@ def test_only_open_findings_are_shown_and_the_rest_is_counted() -> None:
     ("copies", "expected"),
     [
         ((), ""),
-        ((SCOPE_RESULT,), "1 finding: 1 error\n  It stands for 1 more of the same cause: formats for programs have 2.\n"),
-        ((SCOPE_RESULT,) * 3, "1 finding: 1 error\n  It stands for 3 more of the same cause: formats for programs have 4.\n"),
+        ((SCOPE_RESULT,), "1 finding: 1 error\n  It stands for 1 more of the same cause: SARIF and JSON list all 2.\n"),
+        ((SCOPE_RESULT,) * 3, "1 finding: 1 error\n  It stands for 3 more of the same cause: SARIF and JSON list all 4.\n"),
     ],
 )  # fmt: skip
 def test_what_findings_stand_for_is_counted(copies: tuple[Result, ...], expected: str) -> None:
     report = replace(PLAIN, runs=(replace(CPPCHECK_RUN, results=(replace(NULL_RESULT, copies=copies),)),))
-    assert expected in shown(report) and ("for programs" in shown(report)) == bool(copies)
-    assert ("for programs" in markdown.render(report)) == bool(copies)
+    assert expected in shown(report) and ("SARIF and JSON list all" in shown(report)) == bool(copies)
+    assert ("SARIF and JSON list all" in markdown.render(report)) == bool(copies)
 
 
 def test_several_findings_stand_for_others() -> None:
     one = replace(NULL_RESULT, copies=(SCOPE_RESULT,) * 1100)
     report = replace(PLAIN, runs=(replace(CPPCHECK_RUN, results=(one, SCOPE_RESULT)),))
-    assert "  They stand for 1,100 more of the same causes: formats for programs have 1,102.\n" in shown(report)
+    assert "  They stand for 1,100 more of the same causes: SARIF and JSON list all 1,102.\n" in shown(report)
 
 
 def test_why() -> None:
