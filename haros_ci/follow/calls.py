@@ -9,6 +9,7 @@ from haros_ci import syntax
 from haros_ci.follow import (
     activation,
     alternatives,
+    associated,
     beside,
     call_arguments,
     callbacks,
@@ -102,7 +103,9 @@ def call(walk: Walk, frame: Frame, expression: syntax.Call) -> Value:
         return callbacks.signature(walk, frame, function.name, written)
     if isinstance(function, Pointer):
         function = function.cell.value
-    return apply(walk, frame, function, call_arguments.arguments(walk, frame, written), targs, location, callee)
+    args = call_arguments.arguments(walk, frame, written)
+    function = associated.meant(walk, frame, callee, function, args)
+    return apply(walk, frame, function, args, targs, location, callee)
 
 
 def _is_of_pointer(walk: Walk, frame: Frame, callee: syntax.Member, cell: Cell) -> bool:
