@@ -12,7 +12,6 @@ from haros_ci.follow import (
     associated,
     beside,
     call_arguments,
-    callbacks,
     commands,
     construct,
     dynamic,
@@ -25,6 +24,7 @@ from haros_ci.follow import (
     methods,
     packs,
     partials,
+    qt,
     specialisations,
     static_types,
     twins,
@@ -99,8 +99,8 @@ def call(walk: Walk, frame: Frame, expression: syntax.Call) -> Value:
         return method_call(walk, frame, receiver, receiver_cell, name, args, targs, location)
     callee, targs = static_types.member_called(walk, frame, callee, targs)
     function = expressions.evaluate(walk, frame, callee)
-    if isinstance(function, Library) and function.name in callbacks.QT:
-        return callbacks.signature(walk, frame, function.name, written)
+    if isinstance(function, Library) and function.name in qt.MACROS:
+        return qt.signature(walk, frame, function.name, written)
     if isinstance(function, Pointer):
         function = function.cell.value
     args = call_arguments.arguments(walk, frame, written)
