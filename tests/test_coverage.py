@@ -212,7 +212,7 @@ def test_each_call_is_accounted_for_with_a_reason(workspace: Path, capsys: pytes
     [
         'create_publisher<\nstd_msgs::msg::Bool>(\n"light", 1);',
         'message_filters::Subscriber<std_msgs::msg::Bool>\n  light(this,\n  "light");',
-        'message_filters::Subscriber<\n  std_msgs::msg::Bool> light\n  (this, "light");',
+        'message_filters::Subscriber<\n  std_msgs::msg::Bool> light(\n  this, "light");',
     ],
 )
 def test_a_call_over_several_lines_is_one(workspace: Path, capsys: pytest.CaptureFixture[str], call: str) -> None:
