@@ -330,7 +330,8 @@ def selected(
         level = selection.decide(result.tool, result.rule, result.location.path, default=default)
         if level is not None:
             kept.append(result if level is result.level else replace(result, level=level))
-    return worth_reporting(kept, workspace, selection, left.among if left else lambda paths: (), aside)
+    left = left or LeftOut(workspace, is_known=False)
+    return worth_reporting(kept, workspace, selection, left.among, aside, left.products.has)
 
 
 def own_run(workspace: Workspace, known: Registry) -> Run:
