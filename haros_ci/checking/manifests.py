@@ -51,9 +51,9 @@ def counted(package: ProjectPackage) -> tuple[Dependency, ...]:
 
 def said_never(package: ProjectPackage, names: Iterable[str]) -> str:
     """Where the manifest has one of the packages *names* under a condition that never holds; "" where it has none so."""
-    wanted = frozenset(names)
+    asked = frozenset(names)
     for one in package.raw.dependencies:
-        if one.name in wanted and never_holds(package, one.condition):
+        if one.name in asked and never_holds(package, one.condition):
             return f" (line {one.line} has {one.name} under a condition that never holds here: {one.condition})"
     return ""
 

@@ -29,7 +29,7 @@ def _more(silenced: Silenced) -> Iterator[str]:
         number = len(silenced.more)
         named = ", ".join(f"{place} ({name})" for place, name in silenced.more[:MAX_NAMED])
         more = f" and {number - MAX_NAMED:,} more" if number > MAX_NAMED else ""
-        yield f"comments that were there before silence more than they did: {named}{more}"
+        yield f"comments silence more than they did: {named}{more}"
 
 
 def counted(silenced: Silenced) -> str:
@@ -42,5 +42,5 @@ def counted(silenced: Silenced) -> str:
             f"{number:,} comment{' that silences' if number == 1 else 's that silence'} linters added by this change"
         )
     if number := len(silenced.more):
-        parts.append(f"{number:,} more silenced by comments that were there before")
+        parts.append(f"{number:,} more silenced by comments")
     return "; ".join(parts)

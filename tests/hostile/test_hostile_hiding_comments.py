@@ -356,7 +356,7 @@ def test_comments_that_come_to_silence_more_are_named(trap: Trap) -> None:
         ("moved.py", 4, "undefined-variable"),
     ]
     assert outcome.report["silenced"]["comments"] == []
-    assert outcome.says("comments that were there before silence more than they did: alone.py:4 (undefined-variable), ")
+    assert outcome.says("comments silence more than they did: alone.py:4 (undefined-variable), ")
 
 
 THROW = "void %s()\n{\n  throw 1;\n}\nvoid stop() noexcept\n{\n  %s();\n}\n"
