@@ -238,7 +238,9 @@ OTHERS: tuple[SilencingRow, ...] = (
     ),
     SilencingRow(
         "cppcheck, pylint, ruff",
-        ("directories called `test`, `tests` …, files called `test_…` or `…_test`",),
+        (
+            "directories called `test`, `tests` …, files called `test_…` or `…_test` that no target or entry point of another name takes",
+        ),
         "in the profiles `ros` and `bugs-only` what tests do on purpose (unused values and objects, equal operands, unreachable code)",
         SettingOrigin.HEAD,
         "tests/linters/test_in_default.py",
