@@ -90,11 +90,13 @@ def _more(
 
     now_changed, old_changed = _changed(workspace, base)
     quiet = uncommented(workspace, now_changed) if uncommented is not None and now_changed else ()
+    before = uncommented(base.workspace, old_changed) if uncommented is not None and quiet else ()
+    lost = {(base.renames.get(path, path), tool) for path, tool in _lost(before)}
+    yield from ((Location(path), f"what {tool} would say") for path, tool in _lost(quiet) if (path, tool) not in lost)
     now = (*(replace(run, results=_suppressed(run)) for run in runs), *quiet)
     now = tuple(run for run in now if run.results)
     if not now:
         return
-    before = uncommented(base.workspace, old_changed) if uncommented is not None and quiet else ()
     of_tools = {run.tool.name for run in now}
     languages = {file.path: file.language for it in (base.workspace, workspace) for file in it.files}
     old = tuple(
@@ -111,6 +113,11 @@ def _more(
     for i, result in enumerate(results):
         if i not in paired:
             yield Location(result.location.path, result.location.line), result.rule
+
+
+def _lost(runs: Iterable[Run]) -> set[tuple[str, str]]:
+    """The files that tools could not analyse without comments, each with the tool's name."""
+    return {(note.path, run.tool.name) for run in runs for note in run.notifications if note.path}
 
 
 def _suppressed(run: Run) -> tuple[Result, ...]:

@@ -40,7 +40,7 @@ _WORDS: dict[str, re.Pattern[str]] = {
 _LETTERS = re.compile(r"[A-Za-z0-9_]")
 #: The rules that a comment names, behind the words that make it one.
 _MEANT = re.compile(
-    r"(?:cppcheck-suppress(?:-\w+)?|NOLINT\w*|noqa|disable|ignore|nosec)[\s:=(\[]*([^#;/)\]\n]*)", re.IGNORECASE
+    r"(?:cppcheck-suppress(?:-\w+)?|NOLINT\w*|noqa|disable|ignore|nosec)[\s:=(\[]*([^#;)\]\n]*)", re.IGNORECASE
 )
 _RULE = re.compile(r"[A-Za-z*][\w./+*-]*")
 
@@ -81,7 +81,7 @@ class _Some:
 
 def silenced_findings(
     workspace: Workspace,
-    changed: Collection[str],
+    changed: frozenset[str],
     linters: Iterable[Linter],
     options: LintOptions,
     store: Store,
@@ -89,26 +89,36 @@ def silenced_findings(
 ) -> tuple[Run, ...]:
     """A run for each of *linters* with what comments keep it from saying of files that have *changed*, or that use such a file.
 
-    Nothing is run where no comment can silence it. Results are those that are said without the comments alone, of rules that are on.
+    Nothing is run where no comment can silence it. Results are those that are said without the comments alone, of rules that are on; notifications
+    those on files that cannot be analysed without them: what comments hide there is not known.
     """
     done = []
     for linter in linters:
         words = _WORDS.get(linter.NAME)
         if words is None or linter.NAME in options.disabled:
             continue
-        own = (file.path for file in workspace.files if file.language in linter.LANGUAGES)
-        if not any(words.search(workspace.text(path)) for path in own):
+        own = [file.path for file in workspace.files if file.language in linter.LANGUAGES]
+        if changed.isdisjoint(own) or not any(words.search(_read(workspace, path)) for path in own):
             continue
         units = _concerned(linter, workspace, changed, options, store, is_selected)
         if not units:
             continue
         some = [cast(Linter, _Some(linter, frozenset(unit.file.path for unit in units)))]
         needed = frozenset(path for unit in units for path in (unit.file.path, *unit.dependencies))
-        heard = {_key(one) for run in lint(workspace, some, options, store, is_selected) for one in run.results}
+        heard, told = set[object](), set[object]()
+        for run in lint(workspace, some, options, store, is_selected):
+            heard.update(map(_key, run.results))
+            told.update((note.path, note.message) for note in run.notifications)
         for run in lint(_bare(workspace, needed), some, options, store, is_selected):
             results = tuple(one for one in run.results if _key(one) not in heard and _counts(one))
-            done += [Run(run.tool, results=results)] if results else []
+            lost = tuple(note for note in run.notifications if note.path and (note.path, note.message) not in told)
+            done += [Run(run.tool, results=results, notifications=lost)] if results or lost else []
     return tuple(done)
+
+
+def _read(workspace: Workspace, path: str) -> str:
+    """The text of a file that may not be looked at again."""
+    return (workspace.data(path) or b"").decode("latin-1")
 
 
 def _key(result: Result) -> tuple[object, ...]:
@@ -129,11 +139,13 @@ def _concerned(
 ) -> list[Unit]:
     """The units of *linter* that depend on something *changed*, and of which a comment may silence a rule that is on."""
     known: dict[str, bool] = {}
+    hopeless: frozenset[str] = getattr(linter, "GAVE_UP", frozenset())
 
     def may_be_silent(path: str) -> bool:
         if path not in known:
             language = files[path].language if path in files else ""
-            known[path] = any(_may_silence(linter.NAME, workspace.text(path), language, path, is_selected))
+            rules = _may_silence(linter.NAME, workspace.text(path), syntax(language, path))
+            known[path] = any(not rule or rule in hopeless or is_selected(linter.NAME, rule, path) for rule in rules)
         return known[path]
 
     files = {file.path: file for file in workspace.files}
@@ -146,9 +158,9 @@ def _concerned(
     ]
 
 
-def _may_silence(tool: str, text: str, language: str, path: str, is_selected: IsSelected) -> Iterator[bool]:
-    """For each comment of *text* that silences *tool* whether it may be a rule that is on."""
-    words, kind = _WORDS[tool], syntax(language, path)
+def _may_silence(tool: str, text: str, kind: str) -> Iterator[str]:
+    """The rules of *tool* that comments of *text* may silence; "" for one that names none, or many."""
+    words = _WORDS[tool]
     if not words.search(text):
         return
     forms = _forms(kind, tool)
@@ -156,7 +168,7 @@ def _may_silence(tool: str, text: str, language: str, path: str, is_selected: Is
         if words.search(comment.text) and any(form.pattern.search(comment.text) for form in forms):
             meant = _MEANT.search(comment.text)
             rules = _RULE.findall(meant[1]) if meant else []
-            yield not rules or any("*" in rule or rule == "all" or is_selected(tool, rule, path) for rule in rules)
+            yield from ("" if "*" in rule or rule == "all" else rule for rule in rules or [""])
 
 
 def _forms(kind: str, tool: str = "") -> list[Form]:

@@ -375,6 +375,7 @@ def test_findings_that_old_comments_come_to_silence(trap: Trap) -> None:
         "names.py": "here = 1\n",
         "user.py": user % ("here", "here", "here"),
         "old.cpp": "int more;\n" + QUIET_NULL % "nullptr",
+        "lost.cpp": "// cppcheck-suppress-file syntaxError\nint a;\n",
         "from.cpp": "int a();\n" + QUIET_NULL % "nullptr" + "int b();\n",
     }
     head = {
@@ -383,6 +384,7 @@ def test_findings_that_old_comments_come_to_silence(trap: Trap) -> None:
         "header.h": "#define BOX nullptr\n",
         "all.py": OF_FILE + "A = nowhere\n",
         "user.py": (user % ("here", "here", "here")).replace("from names import here\n", ""),
+        "lost.cpp": "// cppcheck-suppress-file syntaxError\nint a;\n" + DEFECT.replace("{ int", "{ { int"),
         "old.cpp": "int more;\nint even_more;\n" + QUIET_NULL % "nullptr",
         "to.cpp": "int a();\n" + QUIET_NULL % "nullptr" + "int b();\n",
     }
@@ -392,6 +394,8 @@ def test_findings_that_old_comments_come_to_silence(trap: Trap) -> None:
     more = [(c["path"], c["line"], c["what"]) for c in outcome.report["silenced"]["more"]]
     assert {*more} == {
         ("all.py", 2, "undefined-variable"),
+        ("lost.cpp", None, "what cppcheck would say"),
+        ("lost.cpp", 1, "cppcheck-suppress"),
         ("null.cpp", 5, "nullPointer"),
         ("user.cpp", 6, "nullPointer"),
         ("user.py", 2, "undefined-variable"),
