@@ -18,7 +18,7 @@ from haros_ci.results.rule import Level
 from haros_ci.workspace.base import Base
 
 #: Places that are named; the rest is counted.
-MOST = 5
+MOST = 20
 
 
 def refuted_since(

@@ -24,6 +24,9 @@ BODY = "\nprint(undefined)\n"
         "#!/usr/bin/env -S coverage run",
         "#!/usr/bin/env xonsh",
         "#!/opt/own/start",
+        "#!/opt/make/start",
+        "#!/usr/bin/env -S xonsh make",
+        "#!/usr/bin/env -S A=sh own",
     ],
 )
 def test_python(line: str) -> None:
@@ -41,6 +44,8 @@ def test_python(line: str) -> None:
         "#!/usr/bin/cmake -P",
         "#!/usr/bin/env -S node",
         "#!/usr/bin/fish",
+        "#!/usr/bin/env -S nice -n 5 bash",
+        "#!/usr/bin/env lua5.3",
     ],
 )
 def test_another(line: str) -> None:
