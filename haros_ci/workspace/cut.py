@@ -12,12 +12,12 @@ _MOST_NAMED = 100
 
 
 def cut(problems: Iterable[Problem], most: int) -> tuple[Problem, ...]:
-    """The first *most* of *problems*, and one at the first file of the rest that counts it and names its files."""
+    """The first *most* of *problems*, behind one at the first file of the rest that counts it and names its files: readers cut lists again."""
     every = tuple(problems)
     rest = every[most:]
     if not rest:
         return every
     paths = list(dict.fromkeys(problem.path for problem in rest))
     more = f" and {len(paths) - _MOST_NAMED:,} other files" if len(paths) > _MOST_NAMED else ""
-    text = f"there are {len(rest):,} more of this kind, in {', '.join(paths[:_MOST_NAMED])}{more}; look at them, too"
-    return (*every[:most], Problem(paths[0], text))
+    text = f"there are {len(rest):,} more than the next {most} of this kind, in {', '.join(paths[:_MOST_NAMED])}{more}; look at them, too"
+    return (Problem(paths[0], text), *every[:most])
