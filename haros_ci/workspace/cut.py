@@ -12,7 +12,7 @@ _MOST_NAMED = 100
 
 
 def cut(problems: Iterable[Problem], most: int) -> tuple[Problem, ...]:
-    """The first *most* of *problems*, behind one at the first file of the rest that counts it and names its files: readers cut lists again."""
+    """The first *most* of *problems*, and one beside the first that counts the rest and names its files: notes are sorted by their files, and a report cuts them again."""
     every = tuple(problems)
     rest = every[most:]
     if not rest:
@@ -20,4 +20,4 @@ def cut(problems: Iterable[Problem], most: int) -> tuple[Problem, ...]:
     paths = list(dict.fromkeys(problem.path for problem in rest))
     more = f" and {len(paths) - _MOST_NAMED:,} other files" if len(paths) > _MOST_NAMED else ""
     text = f"there are {len(rest):,} more than the next {most} of this kind, in {', '.join(paths[:_MOST_NAMED])}{more}; look at them, too"
-    return (Problem(paths[0], text), *every[:most])
+    return (every[0], Problem(every[0].path, text), *every[1:most])

@@ -173,5 +173,5 @@ def test_what_stands_behind_the_last_note_is_named_in_one(tmp_path: Path) -> Non
     base = {"arm/package.xml": MANIFEST.format("arm"), "arm/src/driver.cpp": use}
     base |= {f"arm/include/arm/{name}": GIVE for name in names}
     found = brought(tmp_path, base, {f"arm/first/arm/{name}": GIVE for name in names})
-    assert len(found) == 21 and "arm/first/arm/give23.hpp" in found[0][1]
-    assert found[0][1].startswith("there are 4 more than the next 20 of this kind")
+    assert len(found) == 21 and "arm/first/arm/give23.hpp" in found[1][1]
+    assert found[1][0] == found[0][0] and found[1][1].startswith("there are 4 more than the next 20 of this kind")
