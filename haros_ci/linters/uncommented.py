@@ -105,13 +105,13 @@ def silenced_findings(
             continue
         some = [cast(Linter, _Some(linter, frozenset(unit.file.path for unit in units)))]
         needed = frozenset(path for unit in units for path in (unit.file.path, *unit.dependencies))
-        heard, told = set[object](), set[object]()
+        heard, noted = set[object](), set[object]()
         for run in lint(workspace, some, options, store, is_selected):
             heard.update(map(_key, run.results))
-            told.update((note.path, note.message) for note in run.notifications)
+            noted.update((note.path, note.message) for note in run.notifications)
         for run in lint(_bare(workspace, needed), some, options, store, is_selected):
             results = tuple(one for one in run.results if _key(one) not in heard and _counts(one))
-            lost = tuple(note for note in run.notifications if note.path and (note.path, note.message) not in told)
+            lost = tuple(note for note in run.notifications if note.path and (note.path, note.message) not in noted)
             done += [Run(run.tool, results=results, notifications=lost)] if results or lost else []
     return tuple(done)
 
