@@ -14,6 +14,7 @@ from haros_ci.api.packages import (
     add_dependency,
     boost_keys,
     closes_a_cycle,
+    counted,
     dependency_tags,
     first_provider,
     is_of_ros,
@@ -23,6 +24,7 @@ from haros_ci.api.packages import (
     others_of,
     repositories_named,
     said_misplaced,
+    said_never,
     undeclared_build_tools,
 )
 
@@ -148,7 +150,7 @@ def _finding(
     provisions: Provisions,
 ) -> Finding:
     """*brought* is what else is needed and comes with the same package."""
-    tested = sorted(providers & package.declared)
+    tested = sorted(providers & {dependency.name for dependency in counted(package)})
     if tested:
         return _only_tested(package, tested[0], uses)
     name = HEADERS if HEADERS in providers else first_provider(providers, package)
@@ -168,7 +170,7 @@ def _finding(
     return Finding(
         at=last_dependency(package),
         message=f"{package.name} needs {packages} to build ({uses[0].what}), but package.xml does not declare {'it' if len(keys) == 1 else 'them'}: the build "
-        f"fails on a machine without {packages}; {_removal(idle) if is_idle else ''}add {tags}{alternative}{said_misplaced(package, providers)}",
+        f"fails on a machine without {packages}; {_removal(idle) if is_idle else ''}add {tags}{alternative}{said_misplaced(package, providers)}{said_never(package, providers)}",
         about=(package.name, name),
         related=tuple(
             (use.location, f"needs {name}: {use.what}") for item in (uses, *brought) for use in item[:_SHOWN]

@@ -9,7 +9,7 @@ from collections.abc import Iterator
 
 from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage, syntax
 from haros_ci.api.code import calls_of, dotted
-from haros_ci.api.launch import ProgramUse, meant, similar_names
+from haros_ci.api.launch import ProgramUse, may_make_program, meant, similar_names
 
 #: What makes a node in a launch file, wherever the call stands.
 _NODES = re.compile(r"launch_ros\.actions\.(?:node\.|lifecycle_node\.)?(?:Lifecycle)?Node")
@@ -49,8 +49,7 @@ def _lacks(package: ProjectPackage, program: str) -> bool:
     if any(posixpath.basename(file.path) == program for file in package.files):
         return False
     paths = {command.location.path for command in package.build.commands} | {package.inside("setup.py")}
-    word = re.compile(rf"(?<!\w){re.escape(program)}(?!\w)")
-    return not any(word.search(package.project.text(path)) for path in paths)
+    return not any(may_make_program(package.project.text(path), program) for path in paths)
 
 
 CHECK = Check(

@@ -13,13 +13,14 @@ from haros_ci.model.location import Location
 from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Problem, Workspace
 from haros_ci.results import own
-from haros_ci.results.result import Notification, Result, Run, Silenced
+from haros_ci.results.result import BaselineState, Notification, Result, Run, Silenced
 from haros_ci.results.rule import Level
 from haros_ci.results.silence_words import sentences
 from haros_ci.workspace.base import Base
 from haros_ci.workspace.git import BaselineUnavailable
 
 if TYPE_CHECKING:
+    from haros_ci.results.silenced import AddedComments
     from haros_ci.workspace.past import Past
 
 
@@ -51,35 +52,58 @@ def silenced(
     base: Base | BaselineUnavailable | None,
     runs: tuple[Run, ...],
     examine: Callable[[Workspace], tuple[Run, ...]],
+    uncommented: Callable[[Workspace, frozenset[str]], tuple[Run, ...]] | None,
 ) -> Silenced:
     """What comments silence that the files have now and did not have in *base*, and what those silence that were there.
 
-    The latter only where the findings at *base* are known anyway: *examine* gives them.
+    The latter only where the findings at *base* are known anyway: *examine* gives them, and *uncommented* what comments keep tools from saying
+    of files that have changed (None: no tool is run).
     """
     if not isinstance(base, Base):
         return Silenced()
     from haros_ci.results.silenced import by_place
 
-    found = _by_comments(workspace, base, runs)
+    added = _by_comments(workspace, base)
+    found = added.silenced(runs)
     if settings.baseline is not None:
         return found
-    return replace(found, more=tuple(sorted({*found.more, *_more(workspace, base, runs, examine)}, key=by_place)))
+    beside = frozenset((place.path, (place.line or 0) + n) for place in added.places for n in (0, 1))
+    more = (
+        (place, rule)
+        for place, rule in _more(workspace, base, runs, examine, uncommented)
+        if (place.path, place.line) not in beside
+    )
+    return replace(found, more=tuple(sorted({*found.more, *more}, key=by_place)))
 
 
 def _more(
-    workspace: Workspace, base: Base, runs: tuple[Run, ...], examine: Callable[[Workspace], tuple[Run, ...]]
+    workspace: Workspace,
+    base: Base,
+    runs: tuple[Run, ...],
+    examine: Callable[[Workspace], tuple[Run, ...]],
+    uncommented: Callable[[Workspace, frozenset[str]], tuple[Run, ...]] | None,
 ) -> Iterator[tuple[Location, str]]:
-    """The findings that tools leave out for comments now, and neither had nor left out in *base*."""
+    """The findings that are left out or suppressed for comments now, and that *base* neither had nor left out."""
     from haros_ci.results.fingerprint import fingerprint
     from haros_ci.results.known import known_from, sides
     from haros_ci.results.pairing import pair
 
-    now = tuple(replace(run, results=run.silenced) for run in runs if run.silenced)
+    now_changed, old_changed = _changed(workspace, base)
+    quiet = uncommented(workspace, now_changed) if uncommented is not None and now_changed else ()
+    before = uncommented(base.workspace, old_changed) if uncommented is not None and quiet else ()
+    lost = {(base.renames.get(path, path), tool) for path, tool in _lost(before)}
+    yield from ((Location(path), f"what {tool} would say") for path, tool in _lost(quiet) if (path, tool) not in lost)
+    now = (*(replace(run, results=_suppressed(run)) for run in runs), *quiet)
+    now = tuple(run for run in now if run.results)
     if not now:
         return
     of_tools = {run.tool.name for run in now}
     languages = {file.path: file.language for it in (base.workspace, workspace) for file in it.files}
-    old = tuple(replace(run, results=run.silenced) for run in examine(base.workspace) if run.tool.name in of_tools)
+    old = tuple(
+        replace(run, results=(*run.silenced, *run.results))
+        for run in (*examine(base.workspace), *before)
+        if run.tool.name in of_tools
+    )
     old = fingerprint(old, base.workspace.text, lambda path: languages.get(path, ""))
     now = fingerprint(now, workspace.text, lambda path: languages.get(path, ""))
     found = sides(workspace, now, (".",), base.workspace, base.renames)
@@ -91,9 +115,35 @@ def _more(
             yield Location(result.location.path, result.location.line), result.rule
 
 
-def _by_comments(workspace: Workspace, base: Base, runs: Iterable[Run]) -> Silenced:
-    from haros_ci.results.silenced import SilencedPair
-    from haros_ci.results.silenced import silenced as found
+def _lost(runs: Iterable[Run]) -> set[tuple[str, str]]:
+    """The files that tools could not analyse without comments, each with the tool's name."""
+    return {(note.path, run.tool.name) for run in runs for note in run.notifications if note.path}
+
+
+def _suppressed(run: Run) -> tuple[Result, ...]:
+    """What comments silence of a run: what a tool says of that, and findings that comments of ours suppress. Numbers have limits of their own."""
+    own_ones = (
+        result
+        for result in run.results
+        if result.value is None
+        and result.state is not BaselineState.ABSENT
+        and any(s.kind == "inSource" for s in result.suppressions)
+    )
+    return (*run.silenced, *own_ones)
+
+
+def _changed(workspace: Workspace, base: Base) -> tuple[frozenset[str], frozenset[str]]:
+    """The paths that have other contents now than in *base*, or are new; and those of *base* that have, or are gone."""
+    now = {file.path: file.digest for file in workspace.files}
+    old = {file.path: file.digest for file in base.workspace.files}
+    moved = base.renames
+    gone = frozenset(path for path, digest in old.items() if now.get(moved.get(path, path)) != digest)
+    same = {moved.get(path, path) for path in old.keys() - gone}
+    return frozenset(now.keys() - same), gone
+
+
+def _by_comments(workspace: Workspace, base: Base) -> AddedComments:
+    from haros_ci.results.silenced import SilencedPair, added_comments
 
     old = {base.renames.get(file.path, file.path): file for file in base.workspace.files}
     text = base.workspace.text
@@ -104,13 +154,12 @@ def _by_comments(workspace: Workspace, base: Base, runs: Iterable[Run]) -> Silen
         and ((was := old.get(file.path)) is None or was.digest != file.digest or was.path != file.path)
     ]
     present = {file.path for file in workspace.files}
-    return found(
+    return added_comments(
         (
             SilencedPair(f.path, f.language, workspace.text(f.path), None if was is None else text(was.path))
             for f, was in changed
         ),
         ((was.path, was.language, text(was.path)) for path, was in old.items() if path not in present),
-        runs,
     )
 
 

@@ -139,11 +139,12 @@ def worth_reporting(
     selection: Selection,
     left_out: Callable[[Collection[str]], Collection[str]],
     aside: list[Result] | None = None,
+    is_built: Callable[[str], bool] = lambda path: False,
 ) -> tuple[Result, ...]:
     """*results* without those of linters, and of checks that speak of code alone, that nobody mends where they are; who asks for every finding, or for the rule, has them.
 
     They are in files that are *left_out*, as nothing uses them or as they are copies, in tests, of what is deprecated in no Python of ROS 1, or refuted by
-    other files. The latter are put *aside*.
+    other files. The latter are put *aside*. A file that *is_built* into what is no test is none, however it is called.
     """
     ros = {package.name: package.ros for package in reversed(workspace.packages)}
     package_of = cache(workspace.package_finder())
@@ -162,7 +163,7 @@ def worth_reporting(
             if aside is not None:
                 aside.append(result)
             continue
-        if not extra or not is_idle(result, ros.get(package_of(result.location.path) or "")):
+        if not extra or not is_idle(result, ros.get(package_of(path) or ""), is_built):
             kept.append((result, extra))
     left = left_out({result.location.path for result, extra in kept if extra})
     return tuple(result for result, extra in kept if not extra or result.location.path not in left)

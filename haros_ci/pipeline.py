@@ -15,6 +15,7 @@ from haros_ci.analysis.inspection import inspected_or_kept, is_inspected
 from haros_ci.analysis.public_copies import quiet
 from haros_ci.baselines import at_base, compare, left_out, read_input, sarif_runs, settled
 from haros_ci.brought import Unreadable, before, notices, silenced, unreadable
+from haros_ci.commented import uncommented
 from haros_ci.config.selection import Selection
 from haros_ci.config.selector import check_selectors, slip_finder
 from haros_ci.config.settings import PROFILES, Settings
@@ -53,16 +54,7 @@ from haros_ci.registry import Registry
 from haros_ci.results import own
 from haros_ci.results.coverage import coverage
 from haros_ci.results.fingerprint import fingerprint
-from haros_ci.results.result import (
-    Artifact,
-    Notification,
-    Report,
-    Result,
-    Run,
-    Tool,
-    distribute,
-    results_of,
-)
+from haros_ci.results.result import Artifact, Notification, Report, Result, Run, Tool, distribute, results_of
 from haros_ci.results.rule import Level, Rule
 from haros_ci.results.suppress import suppress
 from haros_ci.timing import timed
@@ -98,9 +90,8 @@ def analyse(
     with at_base(workspace, settings) as base:
         past = base if isinstance(base, Base) else None
         changed = changed_settings(workspace, past.workspace if past and past.settings else None)
-        changed += seen_otherwise(workspace, past.workspace if past else None)
-        changed += used_aside(workspace, past.workspace if past else None)
-        changed += endpoint_macros(workspace, past.workspace if past else None)
+        then = past.workspace if past else None
+        changed += (*seen_otherwise(workspace, then), *used_aside(workspace, then), *endpoint_macros(workspace, then))
         workspace = settled(workspace, settings, base)
         head, old = (None, None) if recorded is None else recorded(workspace, past)
         left = left_out(workspace, settings, base)
@@ -117,7 +108,8 @@ def analyse(
         runs = examine(workspace, selection, architectures, progress, past, head, left, since)
         runs = tuple(described(run, selection) for run in (*runs, *imported(settings, workspace, selection)))
         compared = compare(runs, workspace, settings, base, examine=before_it)
-        silence = silenced(workspace, settings, base, compared.runs, before_it)
+        bare = None if recorded else uncommented(architectures, selection, narrowed, selected)
+        silence = silenced(workspace, settings, base, compared.runs, before_it, bare)
         noticed = (
             *notices(workspace, past, silence),
             *refuted_since(workspace, settings, past, compared.runs, before_it),
@@ -330,7 +322,8 @@ def selected(
         level = selection.decide(result.tool, result.rule, result.location.path, default=default)
         if level is not None:
             kept.append(result if level is result.level else replace(result, level=level))
-    return worth_reporting(kept, workspace, selection, left.among if left else lambda paths: (), aside)
+    out = left or LeftOut(workspace, is_known=False)
+    return worth_reporting(kept, workspace, selection, out.among, aside, out.products.has)
 
 
 def own_run(workspace: Workspace, known: Registry) -> Run:

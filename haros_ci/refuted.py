@@ -2,7 +2,7 @@
 """Findings that the code around them speaks against, and that come with a change: it may have written that code for them.
 
 Linters take some code for wrong that is right, and filters know such code by its look. Of who writes both, the mistake and the look, nothing would be reported;
-so what is dropped at a place that the change brings, or by what it brings, is named.
+so what is dropped since a change, at a place that it brings or by what it brings, is named.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from haros_ci.results.rule import Level
 from haros_ci.workspace.base import Base
 
 #: Places that are named; the rest is counted.
-MOST = 5
+MOST = 20
 
 
 def refuted_since(
@@ -28,22 +28,17 @@ def refuted_since(
     runs: tuple[Run, ...],
     examine: Callable[[Workspace], tuple[Run, ...]],
 ) -> tuple[Notification, ...]:
-    """A note on the findings that *runs* leave out by the code around them, in files that changed, and that *base* neither had nor left out.
+    """A note on the findings that *runs* leave out by the code around them, and that *base* neither had nor left out.
 
-    None where what *base* has is not known: *examine* gives its findings.
+    Whatever file they are in: what makes them, or speaks against them, may lie in another one. None where what *base* has is not known:
+    *examine* gives its findings.
     """
     if base is None or settings.baseline is not None:
         return ()
     old = {file.path: file.digest for file in base.workspace.files}
-    origins = {new: path for path, new in base.renames.items()}
-    changed = {f.path for f in workspace.files if old.get(origins.get(f.path, f.path)) != f.digest}
-    now = tuple(
-        replace(run, results=run.refuted)
-        for run in runs
-        if any(result.location.path in changed for result in run.refuted)
-    )
-    found = _unknown(now, workspace, base, examine) if now else []
-    places = [(place, rule) for place, rule in found if place.path in changed]
+    is_changed = old != {file.path: file.digest for file in workspace.files}
+    now = tuple(replace(run, results=run.refuted) for run in runs if run.refuted and is_changed)
+    places = _unknown(now, workspace, base, examine) if now else []
     if not places:
         return ()
     named = ", ".join(f"{place} ({rule})" for place, rule in places[:MOST])

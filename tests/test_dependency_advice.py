@@ -324,3 +324,31 @@ def test_keys_for_a_name_that_is_none(name: str, needs: str, keys: list[str], tm
     advice = result.message.partition("; write ")[2]
     assert all(f"{key}, which the code uses" in advice for key in keys), advice
     assert sum("python" in word for word in advice.split()) == 1, advice
+
+
+@pytest.mark.parametrize(
+    ("condition", "count"),
+    [
+        ("$ROS_VERSION == 1", 1),
+        ("$ROS_DISTRO == noetic", 1),
+        ("$OWN_THING == yes", 1),
+        ("a == b", 1),
+        ("$ROS_VERSION == 2", 0),
+        ("$ROS_VERSION != 1", 0),
+        ("$ROS_DISTRO == humble", 0),
+        ("$ROS_DISTRO >= jazzy", 0),
+        ("$ROS_DISTRO > rolling", 0),
+        ("$ROS_DISTRO != noetic", 0),
+        ("$OWN_THING != yes", 0),
+        ("$ROS_PYTHON_VERSION == 3", 0),
+        ("$ROS_VERSION == 1 or $ROS_DISTRO == rolling", 0),
+        ("not a condition", 0),
+    ],
+)
+def test_a_condition_that_never_holds(condition: str, count: int, tmp_path: Path) -> None:
+    needs = f'<depend>rclcpp</depend><depend condition="{condition}">geometry_msgs</depend>'
+    manifest = MANIFEST.format(' format="3"', ROS2.format(needs))
+    cmake = CMAKE.format("find_package(geometry_msgs REQUIRED)\nadd_library(a a.cpp)")
+    found = messages(manifest, cmake, "#include <geometry_msgs/msg/twist.hpp>\n", tmp_path)
+    assert len([one for one in found if "geometry_msgs" in one]) == count, found
+    assert all(f"condition that never holds here: {condition})" in one or "$" not in condition for one in found)

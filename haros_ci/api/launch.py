@@ -26,6 +26,7 @@ from haros_ci.model.launch_facts import (
     PathUse,
     ProgramUse,
 )
+from haros_ci.model.program_words import may_make_program
 from haros_ci.model.similar_files import similar_files, similar_names
 
 __all__ = [
@@ -49,6 +50,7 @@ __all__ = [
     "is_called_old",
     "is_optional",
     "is_tried",
+    "may_make_program",
     "meant",
     "owner",
     "renamed_keyword",

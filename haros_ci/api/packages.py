@@ -48,6 +48,7 @@ from haros_ci.checking.manifests import (
     applying,
     brings,
     build_types,
+    counted,
     exports,
     holds,
     holds_for_python,
@@ -56,6 +57,7 @@ from haros_ci.checking.manifests import (
     place,
     reaches,
     said_misplaced,
+    said_never,
     word,
 )
 from haros_ci.checking.needs import Need, lacking, needs_of
@@ -202,6 +204,7 @@ __all__ = [
     "circles",
     "class_names",
     "closes_a_cycle",
+    "counted",
     "compiled_into",
     "conflicts",
     "dependency_place",
@@ -287,6 +290,7 @@ __all__ = [
     "renamed_module",
     "repositories_named",
     "said_misplaced",
+    "said_never",
     "serves_both",
     "set_attribute",
     "set_text",

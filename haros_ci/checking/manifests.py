@@ -3,15 +3,22 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 
 from haros_ci.checking.project import ProjectPackage
 from haros_ci.checking.wording import listed
+from haros_ci.knowledge.knowledge import ROS_1, ROS_2
 from haros_ci.model.condition import evaluate
 from haros_ci.model.element import Element
 from haros_ci.model.location import Location
 from haros_ci.model.package import Dependency
 
+_VARIABLE = re.compile(r"\$(\w{1,100})")
+#: Variables that systems set, or that build farms do.
+_OF_SYSTEMS = frozenset(("ROS_PYTHON_VERSION", "ROS_OS_OVERRIDE", "PLATFORM", "DISTRIB_CODENAME", "DISTRIB_ID"))
+#: A distribution of ROS 2 that is yet to come.
+_LATER = "zzz"
 #: The kinds of dependencies that are there when the package is built.
 BUILD = ("buildtool_depend", "build_depend", "depend")
 #: Those that are there when it runs.
@@ -25,6 +32,30 @@ def holds(package: ProjectPackage, condition: str | None) -> bool | None:
     if condition is None:
         return True
     return evaluate(condition, {"ROS_VERSION": str(package.ros)} if package.ros else {})
+
+
+def never_holds(package: ProjectPackage, condition: str | None) -> bool:
+    """Whether *condition* holds nowhere where the package is built: not under its ROS, for no distribution of that, with other variables unset, which are then empty (REP 149)."""
+    if condition is None or package.ros is None:
+        return False
+    known = {name: "" for name in _VARIABLE.findall(condition) if name not in _OF_SYSTEMS}
+    known |= {"ROS_VERSION": str(package.ros)}
+    distributions = ROS_1 if package.ros == 1 else (*ROS_2, _LATER)
+    return all(evaluate(condition, {**known, "ROS_DISTRO": one}) is False for one in distributions)
+
+
+def counted(package: ProjectPackage) -> tuple[Dependency, ...]:
+    """The dependencies of *package* but for those whose condition never holds."""
+    return tuple(one for one in package.raw.dependencies if not never_holds(package, one.condition))
+
+
+def said_never(package: ProjectPackage, names: Iterable[str]) -> str:
+    """Where the manifest has one of the packages *names* under a condition that never holds; "" where it has none so."""
+    asked = frozenset(names)
+    for one in package.raw.dependencies:
+        if one.name in asked and never_holds(package, one.condition):
+            return f" (line {one.line} has {one.name} under a condition that never holds here: {one.condition})"
+    return ""
 
 
 def holds_for_python(condition: str | None, version: str) -> bool | None:

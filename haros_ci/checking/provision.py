@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import TypeVar, cast
 
+from haros_ci.checking.manifests import counted
 from haros_ci.checking.project import Project, ProjectPackage
 from haros_ci.model.location import Location
 from haros_ci.model.package import Package
@@ -69,7 +70,7 @@ class Provisions:
 
     def of(self, package: ProjectPackage, *, tests: bool = True) -> Provision:
         """All that *package* declares, of whatever kind, with what that brings along; without *tests* not what only these get."""
-        declared = package.declared if tests else _for_users(package)
+        declared = frozenset(one.name for one in counted(package)) if tests else _for_users(package)
         names = {package.name, *declared, *self._aside(package)}
         todo = list(names - {package.name})
         steps = self._steps_by_ros.setdefault(package.ros, {})
@@ -119,7 +120,7 @@ class Provisions:
         if key not in self._brought:
             inner = self.project.package(name)
             if inner is not None:
-                self._brought[key] = frozenset(d.name for d in inner.raw.dependencies if d.kind not in _OWN_ONLY)
+                self._brought[key] = frozenset(d.name for d in counted(inner) if d.kind not in _OWN_ONLY)
             else:
                 self._brought[key] = self._known(name, ros)
         return self._brought[key]
@@ -139,7 +140,7 @@ class Provisions:
 
 
 def _for_users(package: ProjectPackage) -> frozenset[str]:
-    return frozenset(dependency.name for dependency in package.raw.dependencies if dependency.kind not in _OWN_ONLY)
+    return frozenset(dependency.name for dependency in counted(package) if dependency.kind not in _OWN_ONLY)
 
 
 def _variants(name: str) -> Iterator[str]:

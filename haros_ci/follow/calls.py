@@ -162,12 +162,9 @@ def method_call(  # noqa: C901 - one branch for each kind of receiver, in the or
             of_class = members.of_class(walk, receiver, name, frame) or members.given(walk, receiver, name, frame)
             if of_class is not None:
                 return apply(walk, frame, of_class, args, targs, location, syntax.Name(name))
-        for owner in library_objects.owners(walk, receiver):
-            if (called := f"{owner}{frame.source.separator}{name}") not in walk.rows:
-                continue
-            found = api_rows.call(walk, frame, called, receiver, args, targs, location)
-            if found is not None:
-                return found
+        found = library_calls.library_method(walk, frame, receiver, name, args, targs, location)
+        if found is not None:
+            return found
         of_node = outside_nodes.method(walk, frame, receiver, name, args, targs, location)
         if of_node is None:
             given_away.started(walk, name, receiver)
@@ -267,7 +264,8 @@ def super_call(
         method = methods.own_method(walk, *entry, name)
         if method is not None:
             return activation.invoke(walk, frame, Callable(*method, this), args)
-    return library.unknown_call(walk, frame, f"super().{name}", args)
+    found = library_calls.library_method(walk, frame, this, name, args, (), location)
+    return found if found is not None else library.unknown_call(walk, frame, f"super().{name}", args)
 
 
 def apply(  # noqa: C901 - one branch for each kind of what is called

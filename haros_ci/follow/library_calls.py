@@ -41,6 +41,25 @@ def inherited_call(
     return outside_nodes.method(walk, frame, this, name, args, targs, location)
 
 
+def library_method(
+    walk: Walk,
+    frame: Frame,
+    this: Object,
+    name: str,
+    args: tuple[call_arguments.PassedArgument, ...],
+    targs: tuple[syntax.Argument, ...],
+    location: Location,
+) -> Value | None:
+    """The method *name* that a library's class gives *this*, as rows know it; None where none does."""
+    for owner in library_objects.owners(walk, this):
+        if (called := f"{owner}{frame.source.separator}{name}") not in walk.rows:
+            continue
+        found = api_rows.call(walk, frame, called, this, args, targs, location)
+        if found is not None:
+            return found
+    return None
+
+
 #: Functions in which callbacks are called; loops are another matter (``Loop.runs_on``).
 SPINNING = frozenset(
     "ros::spin ros::spinOnce ros::waitForShutdown rospy.spin rospy.sleep rospy.wait_for_message rospy.wait_for_service "
@@ -71,6 +90,9 @@ def library_call(  # noqa: C901 - one branch for each kind of library
     if last == "__init__" and dot and args and base in walk.rows and isinstance(args[0].value, Object):
         library_objects.construct_library(walk, frame, args[0].value, syntax.Type(base), args[1:], location)
         return NONE
+    unbound = _of_first_argument(walk, frame, name, args, targs, location)
+    if unbound is not None:
+        return unbound
     kind = frame.templates.get(callee.name) if type(callee) is syntax.Name else None
     if type(kind) is syntax.Type:  # what a template parameter stands for
         return construct.of_template(walk, frame, kind, args, location)
@@ -109,6 +131,22 @@ def library_call(  # noqa: C901 - one branch for each kind of library
             return construct.create(walk, frame, resolved, args, location)
     made = _made(walk, frame, name, kinds, args, location) or _one(walk, frame, name, args, location)
     return made if made is not None else library.unknown_call(walk, frame, name, args)
+
+
+def _of_first_argument(
+    walk: Walk,
+    frame: Frame,
+    name: str,
+    args: tuple[call_arguments.PassedArgument, ...],
+    targs: tuple[syntax.Argument, ...],
+    location: Location,
+) -> Value | None:
+    """``Node.create_publisher(self, ...)`` of Python: the method of a library's class, called with its object; None where it is none."""
+    base, dot, last = name.rpartition(".")
+    this = args[0].value if dot and args and frame.source.separator == "." else None
+    if not isinstance(this, Object) or this.definition is None or base not in library_objects.owners(walk, this):
+        return None
+    return library_method(walk, frame, this, last, args[1:], targs, location)
 
 
 #: Arguments from which on a list under another name of its type has braces around them.

@@ -11,6 +11,8 @@ from haros_ci.knowledge.facts import Facts
 
 #: The distributions of ROS 1 that the index has.
 ROS_1 = ("groovy", "hydro", "indigo", "jade", "kinetic", "lunar", "melodic", "noetic")
+#: Those of ROS 2 (REP 2000), in their order.
+ROS_2 = tuple("ardent bouncy crystal dashing eloquent foxy galactic humble iron jazzy kilted lyrical rolling".split())
 #: Those of ROS 1 whose packages are still to be had: who adds a dependency today adds one of them.
 _CURRENT = ("melodic", "noetic")
 _UNSURE = "?"

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 
 from haros_ci.linters.catalogue import TOOLS
 from haros_ci.results.result import Result
@@ -27,10 +28,9 @@ IN_TESTS = frozenset(
     ruff:B015 ruff:B018 ruff:F632 ruff:W605
     """.split()
 )
-_TEST = re.compile(
-    r"(?:^|/)(?:tests?|unit_?tests?|integration_?tests?|\w+_tests?|test_\w+)/|(?:^|/)(?:test_[^/]*|[^/]*_(?:test|tests|unittest|spec))\.\w+$"
-    r"|(?:^|/)conftest\.py$"
-)
+_IN_TESTS = r"(?:^|/)(?:tests?|unit_?tests?|integration_?tests?|\w+_tests?|test_\w+)/"
+_TEST = re.compile(rf"{_IN_TESTS}|(?:^|/)(?:test_[^/]*|[^/]*_(?:test|tests|unittest|spec))\.\w+$|(?:^|/)conftest\.py$")
+_DIRECTORY = re.compile(_IN_TESTS)
 #: What is deprecated goes with a later Python than any distribution of ROS 1 has (REP 3: 3.8 at most).
 _DEPRECATION = re.compile(r"pylint:deprecated-(?:argument|attribute|class|decorator|method|module)")
 #: Objects that are made for what they do until their scope ends, or that somebody forgot to throw.
@@ -47,10 +47,13 @@ def is_of_linter(result: Result) -> bool:
     return result.tool in TOOLS and result.tool != "metrics"
 
 
-def is_idle(result: Result, ros: int | None) -> bool:
-    """Whether nobody mends what *result* says, as it is in a test or in a package of *ros*, 1 or 2."""
-    rule = result.full_id
-    if rule in IN_TESTS and is_test(result.location.path):
+def is_idle(result: Result, ros: int | None, is_built: Callable[[str], bool] = lambda path: False) -> bool:
+    """Whether nobody mends what *result* says, as it is in a test or in a package of *ros*, 1 or 2.
+
+    A file outside of directories of tests that *is_built* into a program which is no test is no test either, whatever it is called.
+    """
+    rule, path = result.full_id, result.location.path
+    if rule in IN_TESTS and is_test(path) and (_DIRECTORY.search(path) is not None or not is_built(path)):
         return True
     if ros == 1 and _DEPRECATION.fullmatch(rule):
         return True

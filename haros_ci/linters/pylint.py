@@ -155,8 +155,16 @@ def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
             yield GaveUp(file.path, f"{rule}, a fault of pylint")  # the message holds paths of this machine
         elif _is_doubted(report, file.path, batch.workspace.text(file.path), doubting):
             yield Finding(file.path, refuted(_result(file.path, report)))
-        elif not is_silenced(rule, batch.workspace.text(file.path), report["line"]):
-            yield Finding(file.path, _result(file.path, report))
+        else:
+            result = _result(file.path, report)
+            is_quiet = is_silenced(rule, batch.workspace.text(file.path), report["line"])
+            yield Finding(file.path, _told_as_silenced(result) if is_quiet else result)
+
+
+def _told_as_silenced(result: Result) -> Result:
+    """What pylint says of a finding that a comment of its own silences, of one that another tool's comment does."""
+    message = f"Suppressed '{result.rule}' (from line {result.location.line})"
+    return Result(NAME, SILENCED, Level.NOTE, message, Location(result.location.path, result.location.line))
 
 
 def _is_doubted(report: dict[str, Any], path: str, text: str, doubting: Doubting) -> bool:

@@ -238,7 +238,7 @@ OTHERS: tuple[SilencingRow, ...] = (
     ),
     SilencingRow(
         "cppcheck, pylint, ruff",
-        ("directories called `test`, `tests` …, files called `test_…` or `…_test`",),
+        ("directories called `test`, `tests` …, files called `test_…` or `…_test` that no program has",),
         "in the profiles `ros` and `bugs-only` what tests do on purpose (unused values and objects, equal operands, unreachable code)",
         SettingOrigin.HEAD,
         "tests/linters/test_in_default.py",

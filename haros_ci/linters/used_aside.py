@@ -13,6 +13,7 @@ from posixpath import dirname, join, normpath
 from haros_ci.linters.dead_text import dead, is_in
 from haros_ci.linters.in_default import is_test
 from haros_ci.model.package import SourceFile
+from haros_ci.model.python_names import as_python_reads
 from haros_ci.model.workspace import Workspace
 from haros_ci.results.code_alone import code_alone
 from haros_ci.results.result import Notification
@@ -75,7 +76,7 @@ def _named(file: SourceFile, text: str) -> Iterator[str]:
         hidden = dead(text)
         yield from (match[1] for match in _INCLUDE.finditer(text) if not is_in(match.start(), hidden))
     elif file.language == "python":
-        for module, names, whole in _IMPORT.findall(code_alone(text, "python")):
+        for module, names, whole in _IMPORT.findall(code_alone(as_python_reads(text), "python")):
             path = (module or whole).lstrip(".").replace(".", "/")
             yield f"{path}.py"
             yield from (f"{path}/{name.split()[0]}.py" for name in names.split(",") if name.strip())

@@ -144,8 +144,8 @@ def _begun(
     linter: Linter, workspace: Workspace, options: LintOptions, store: Store, digests: Digests, tools: Tools
 ) -> Work | Run | None:
     """What *linter* has to do; None if nothing, a failed run if it is missing."""
-    plan = _plan(linter, workspace, options, store) if _concerns(linter, workspace) else ()
-    units = tuple(unit for unit in plan if _is_asked_for(unit, workspace))
+    plan = units_of(linter, workspace, options, store) if _concerns(linter, workspace) else ()
+    units = tuple(unit for unit in plan if is_asked_for(unit, workspace))
     is_requested = linter.NAME in options.enabled
     needed = is_requested or linter.WHEN is When.ALWAYS
     if not units and not needed:
@@ -169,7 +169,8 @@ def _begun(
     return work
 
 
-def _plan(linter: Linter, workspace: Workspace, options: LintOptions, store: Store) -> Iterable[Unit]:
+def units_of(linter: Linter, workspace: Workspace, options: LintOptions, store: Store) -> Iterable[Unit]:
+    """What *linter* has to answer for in *workspace*."""
     plan: Callable[[Workspace, LintOptions, Store], Iterable[Unit]] | None = getattr(linter, "plan", None)
     if plan is not None:
         return plan(workspace, options, store)
@@ -183,7 +184,8 @@ def _concerns(linter: Linter, workspace: Workspace) -> bool:
     return targets is None or any(f.path in targets and f.language in linter.LANGUAGES for f in workspace.files)
 
 
-def _is_asked_for(unit: Unit, workspace: Workspace) -> bool:
+def is_asked_for(unit: Unit, workspace: Workspace) -> bool:
+    """Whether *unit* tells of a file that the run reports on."""
     if not unit.file.is_linted and not unit.covers:
         return False
     return workspace.targets is None or not workspace.targets.isdisjoint((unit.file.path, *unit.covers))

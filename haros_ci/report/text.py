@@ -19,7 +19,8 @@ from haros_ci.results.silence_words import counted
 
 MAX_STEPS = 12  # of one finding's flow
 MAX_LINES = 5  # of one file that a note names
-MAX_TROUBLE = 10  # of one tool and level; the rest is counted
+MAX_TROUBLE = 10  # of one tool and level; the rest is counted, and its files are named
+MAX_FILES = 40
 TAB = "    "
 RESET, BOLD, DIM = "\x1b[0m", "\x1b[1m", "\x1b[2m"
 COLORS = {Level.ERROR: "\x1b[1;31m", Level.WARNING: "\x1b[33m", Level.NOTE: "\x1b[36m"}
@@ -225,8 +226,15 @@ def _problems(report: Report, paint: Paint, known: Collection[Notification] = ()
         notes = tuple(group)
         for note in notes[:MAX_TROUBLE]:
             yield f"{paint(COLORS[note.level], note.level.value)}: {_place(note)}{shorten(terminal(note.message), 500)}"
-        if len(notes) > MAX_TROUBLE:
-            yield paint(DIM, f"  and {len(notes) - MAX_TROUBLE:,} more of {terminal(notes[0].tool or 'this kind')}")
+        if rest := notes[MAX_TROUBLE:]:
+            yield paint(DIM, f"  and {len(rest):,} more of {terminal(notes[0].tool or 'this kind')}{_places_of(rest)}")
+
+
+def _places_of(notes: Iterable[Notification]) -> str:
+    """The files of notes that are not shown, so that none hides behind others."""
+    paths = list(dict.fromkeys(note.path for note in notes if note.path))
+    more = " …" if len(paths) > MAX_FILES else ""
+    return f", on {', '.join(map(terminal, paths[:MAX_FILES]))}{more}" if paths else ""
 
 
 def _place(note: Notification) -> str:

@@ -8,6 +8,8 @@ from collections.abc import Iterator
 from haros_ci.results.result import Silenced
 
 MAX_NAMED = 5
+#: Of what comments come to hide more is named: it is wrong for certain.
+MAX_MORE = 20
 
 
 def sentences(silenced: Silenced) -> Iterator[str]:
@@ -27,9 +29,9 @@ def sentences(silenced: Silenced) -> Iterator[str]:
 def _more(silenced: Silenced) -> Iterator[str]:
     if silenced.more:
         number = len(silenced.more)
-        named = ", ".join(f"{place} ({name})" for place, name in silenced.more[:MAX_NAMED])
-        more = f" and {number - MAX_NAMED:,} more" if number > MAX_NAMED else ""
-        yield f"comments that were there before silence more than they did: {named}{more}"
+        named = ", ".join(f"{place} ({name})" for place, name in silenced.more[:MAX_MORE])
+        more = f" and {number - MAX_MORE:,} more" if number > MAX_MORE else ""
+        yield f"comments silence more than they did in {number:,} place{'' if number == 1 else 's'}: {named}{more}"
 
 
 def counted(silenced: Silenced) -> str:
@@ -42,5 +44,5 @@ def counted(silenced: Silenced) -> str:
             f"{number:,} comment{' that silences' if number == 1 else 's that silence'} linters added by this change"
         )
     if number := len(silenced.more):
-        parts.append(f"{number:,} more silenced by comments that were there before")
+        parts.append(f"{number:,} more silenced by comments")
     return "; ".join(parts)

@@ -57,8 +57,33 @@ class _Mark:
     is_own: bool
 
 
+@dataclass(frozen=True, slots=True)
+class AddedComments:
+    """The comments that a change adds: the places of *own* ones, those of *others* with their names; and those that have *grown*."""
+
+    own: frozenset[Location]
+    others: tuple[tuple[Location, str], ...]
+    grown: tuple[tuple[Location, str], ...]
+
+    @property
+    def places(self) -> frozenset[Location]:
+        """Where all of them stand that are added."""
+        return self.own | {place for place, _ in self.others}
+
+    def silenced(self, runs: Iterable[Run]) -> Silenced:
+        """These, and how many results of *runs* are suppressed by new ones alone."""
+        results = (result for run in runs for result in run.results if result.suppressions)
+        count = sum(all(s.kind == "inSource" and s.location in self.own for s in r.suppressions) for r in results)
+        return Silenced(count, self.others, self.grown)
+
+
 def silenced(pairs: Iterable[SilencedPair], removed: Iterable[tuple[str, str, str]], runs: Iterable[Run]) -> Silenced:
-    """The comments that are new in *pairs*, and how many results of *runs* are suppressed by new ones alone.
+    """The comments that are new in *pairs*, and how many results of *runs* are suppressed by new ones alone."""
+    return added_comments(pairs, removed).silenced(runs)
+
+
+def added_comments(pairs: Iterable[SilencedPair], removed: Iterable[tuple[str, str, str]]) -> AddedComments:
+    """The comments that are new in *pairs*, and those that were there and hold for more.
 
     A comment is old if one with the same words stands in the base on the line that maps to its own, or beside the line that maps to its code, or
     beside the same code that has moved: from another place of the file, from another changed file, or from one that is *removed* (path, language
@@ -86,11 +111,12 @@ def silenced(pairs: Iterable[SilencedPair], removed: Iterable[tuple[str, str, st
             pool[mark.words, mark.code] -= 1
         else:
             added.append(mark)
-    own = {mark.place for mark in added if mark.is_own}
-    results = (result for run in runs for result in run.results if result.suppressions)
-    count = sum(all(s.kind == "inSource" and s.location in own for s in result.suppressions) for result in results)
     others = [(mark.place, mark.name) for mark in added if not mark.is_own]
-    return Silenced(count, tuple(sorted(others, key=by_place)), tuple(sorted({*grown} - {*others}, key=by_place)))
+    return AddedComments(
+        frozenset(mark.place for mark in added if mark.is_own),
+        tuple(sorted(others, key=by_place)),
+        tuple(sorted({*grown} - {*others}, key=by_place)),
+    )
 
 
 def by_place(pair: tuple[Location, str]) -> tuple[object, ...]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from haros_ci.model.workspace import Problem, Workspace
 from haros_ci.workspace.build_steps import BuildStep, steps_not_followed
+from haros_ci.workspace.cut import cut
 
 #: Build types of packages whose build files are read; "" is catkin, or one that the manifest does not tell.
 _READ = frozenset(("", "ament_cmake", "ament_cmake_auto", "ament_cmake_python", "ament_python", "catkin", "cmake"))
@@ -36,9 +37,9 @@ def brought_steps(head: Workspace, base: Workspace) -> tuple[tuple[Problem, ...]
         steps = [
             step for step in steps_not_followed(head.text(file.path), names.__contains__) if step.words not in before
         ]
-        found += (_problem(file.path, step) for step in [step for step in steps if not step.is_usual][:MOST])
+        found += cut((_problem(file.path, step) for step in steps if not step.is_usual), MOST)
         notes += (_problem(file.path, step) for step in steps if step.is_usual)
-    return tuple(found), tuple(notes[:MOST])
+    return tuple(found), cut(notes, MOST)
 
 
 def brought_builders(head: Workspace, base: Workspace) -> tuple[Problem, ...]:
@@ -51,7 +52,7 @@ def brought_builders(head: Workspace, base: Workspace) -> tuple[Problem, ...]:
         if not is_read and (package.path, package.build_type) not in before and head.reports_on(path):
             message = f"{package.name} is built by {package.build_type}, whose files nothing here reads: what it compiles, makes or runs is not known"
             found.append(Problem(path, message))
-    return tuple(found[:MOST])
+    return cut(found, MOST)
 
 
 def _problem(path: str, step: BuildStep) -> Problem:

@@ -6,6 +6,7 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping
 
 from haros_ci.model.workspace import Workspace
+from haros_ci.workspace.products import Products
 from haros_ci.workspace.single_copies import SingleCopies
 from haros_ci.workspace.unused import Unused
 
@@ -25,6 +26,7 @@ class LeftOut:
         copied = None if base is None else SingleCopies(base)
         self.unused = Unused(workspace, used, renames, is_known=is_known)
         self.copies = SingleCopies(workspace, copied, renames, is_known=is_known)
+        self.products = Products(workspace)
 
     @property
     def found(self) -> tuple[str, ...]:

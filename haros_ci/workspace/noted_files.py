@@ -35,6 +35,8 @@ def noted(
         yield from _one(
             found, has_changed, ("holds", "hold"), f"{language} under a name that is not analysed as {language}"
         )
+    called = (path for path in rest if not languages[path] and used.namer_of_calls(path))
+    yield from _one(called, has_changed, ("holds", "hold"), "calls of Python, and Python code names it: it may be run")
     yield from _one(
         filter(_is_template, rest), has_changed, ("is", "are"), "made into data of ROS by a build, and so not analysed"
     )

@@ -14,6 +14,7 @@ from collections.abc import Collection, Iterable, Iterator
 from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Problem, Workspace
 from haros_ci.workspace.cmake_parse import ParsedCommand, parse_cmake
+from haros_ci.workspace.cut import cut
 
 #: Notes of one run, and includes that are held against pairs of headers of one name.
 MOST = 20
@@ -38,7 +39,7 @@ _KEYWORDS = frozenset(
 
 
 def shadowed(head: Workspace, base: Workspace) -> tuple[Problem, ...]:
-    """What takes the place of another file in *head*, and did not in *base*; at most MOST of it."""
+    """What takes the place of another file in *head*, and did not in *base*; behind MOST of it the rest is one."""
     old = {file.path: file.digest for file in base.files}
     changed = [file for file in head.files if old.get(file.path) != file.digest and not file.third_party]
     problems = (
@@ -47,7 +48,7 @@ def shadowed(head: Workspace, base: Workspace) -> tuple[Problem, ...]:
         *_modules(head.names, base.names),
         *_programs(head, base, [file for file in changed if file.language == "cmake"]),
     )
-    return tuple(problem for problem in problems if head.reports_on(problem.path))[:MOST]
+    return cut((problem for problem in problems if head.reports_on(problem.path)), MOST)
 
 
 def _headers(

@@ -10,6 +10,7 @@ from collections.abc import Collection, Iterable
 from functools import cached_property
 
 from haros_ci.model.package import SourceFile
+from haros_ci.model.python_names import as_python_reads
 from haros_ci.model.unbuilt import SUFFIXES, is_cmake, not_included, uncompiled
 from haros_ci.workspace.judged import Judged
 
@@ -101,7 +102,7 @@ class Unused(Judged):
         candidates = [file for file in files if file.language == "python" and self._may_be_left(file)]
         stems = {file.path: _stem(file.path) for file in candidates}
         for other in self._by_order if stems else ():
-            text = self._workspace.text(other.path)
+            text = as_python_reads(self._workspace.text(other.path))
             if other.language in ("python", "launch", "setup", "cmake") and _DYNAMIC.search(text):
                 stems = {path: stem for path, stem in stems.items() if self._files[path].package != other.package}
             for path, stem in tuple(stems.items()):

@@ -12,9 +12,11 @@ from collections.abc import Callable, Collection, Iterable, Iterator
 from fnmatch import fnmatchcase
 
 from haros_ci.model.package import SourceFile
+from haros_ci.model.python_names import as_python_reads
 from haros_ci.model.workspace import Workspace
 from haros_ci.workspace.cmake_plain import spelled_out
 from haros_ci.workspace.code_text import has_body, has_lines_of_python, is_cpp, is_python
+from haros_ci.workspace.first_lines import asks_for_another, asks_for_python
 from haros_ci.workspace.language import language_of, suffix_of
 from haros_ci.workspace.used_names import (
     CODE,
@@ -58,13 +60,8 @@ _GIVEN = re.compile(
     r"(?:\b(?:i?python|pypy|jupyter|papermill)[\d.]{0,6}|\bsys\.executable|\$\{\w{0,60}PYTHON\w{0,60}\})(?!\w)([^\n]{1,1000})",
     re.I,
 )
-#: Interpreters of other languages.
-_OTHERS = re.compile(
-    r"#![^\n]{0,200}?\b(?:perl|ruby|node|deno|julia|octave|gnuplot|lua|Rscript|tclsh|wish|awk|gawk|make|php|expect|(?:ba|da|k|z)?sh)\b"
-)
 #: In files of dynamic_reconfigure, which are read as such (``cfg/Planner.cfg``).
 _RECONFIGURE = "ParameterGenerator"
-_ASKS_FOR_PYTHON = re.compile(r"#![^\n]{0,200}?\b(?:python|pypy)[\d.]{0,6}(?:\s|\Z)")
 #: A line of a .pth file that is run (docs.python.org, site), and a cell of a notebook with code in it (nbformat).
 _RUN_AT_START = re.compile(r"^import[ \t]", re.M)
 _CELL = re.compile(r"\"cell_type\"\s*:\s*\"code\"")
@@ -82,6 +79,8 @@ _BEGINS_CPP = re.compile(
 _IDENTIFIER = re.compile(r"\b[A-Za-z_]\w{0,100}\b")
 _BOUND = re.compile(r"\b([A-Za-z_]\w{0,100})[ \t]*(?::[^=\n]{0,100})?=(?!=)|\bas[ \t]+([A-Za-z_]\w{0,100})")
 _HEAD = 512
+#: Files of other languages that may read as calls of Python, or are read as what they are.
+_NO_PROGRAMS = frozenset(("cmake", "markdown", "dockerfile"))
 #: Suffixes of other languages with bodies in braces.
 _LIKE_CPP = frozenset(
     "java js mjs cjs ts tsx jsx cs rs go kt kts swift php scala dart glsl vert frag geom comp hlsl metal cl proto css scss less qml json "
@@ -99,6 +98,7 @@ class UsedCode:
         self._workspace = workspace
         self._text = text or workspace.text
         self._names: dict[str, frozenset[str]] = {}
+        self._read_before: dict[str, str] = {}
 
     def why(self, path: str) -> str:
         """Why the file at *path*, which is not analysed as code, is code, as a clause; "" if nothing says so.
@@ -139,7 +139,7 @@ class UsedCode:
             "aux_source_directory" in self._workspace.text(f.path) for f in self._files(("cmake",))
         ):
             return "CMake has it compiled as Objective-C, by aux_source_directory()"
-        is_program = language is None and text and (_OTHERS.match(text) is None or _ASKS_FOR_PYTHON.match(text))
+        is_program = language is None and text and not asks_for_another(text)
         if is_program and self._is_among(name, "cmake", programs):
             return "CMake installs it as a program, and neither its name nor its first line tells the language"
         return ""
@@ -150,9 +150,9 @@ class UsedCode:
         if not text.strip() and not is_archive:
             return ""
         is_reconfigure = language == "setup" and _RECONFIGURE in text
-        if language is not None and _ASKS_FOR_PYTHON.match(text) and not is_reconfigure:
+        if language is not None and asks_for_python(text) and not is_reconfigure:
             return f"its first line asks for Python, and its name is that of {language}"
-        if language is None and _ASKS_FOR_PYTHON.match(text) and (user := self._namer_of(name)):
+        if language is None and asks_for_python(text) and (user := self._namer_of(name)):
             return f"its first line asks for Python, {user} names it, and it is not analysed as Python"
         is_perhaps_python = (
             language is None or (language != "markdown" and has_lines_of_python(text)) or is_python(text)
@@ -171,7 +171,7 @@ class UsedCode:
             return self.reaches(path, directory)
         if is_opaque(path):
             stem = re.compile(rf"\b{re.escape(path.rpartition('/')[2].partition('.')[0])}\b")
-            return any(stem.search(self._workspace.text(file.path)) for file in self._files(_REFERRING))
+            return any(stem.search(self._read(file)) for file in self._files(_REFERRING))
         return bool(self.why(path))
 
     def _namer_of(self, name: str) -> str:
@@ -184,7 +184,7 @@ class UsedCode:
         """The path of a file that names the file called *name*, and that may have it run; "" without one."""
         place = re.compile(rf"(?<![\w.-]){re.escape(name)}(?![\w-])")
         for file in self._files(("python", "launch", "shell", "dockerfile")):
-            source = self._workspace.text(file.path)
+            source = self._read(file)
             if name in source and place.search(source) and (file.language != "python" or _MAY_RUN.search(source)):
                 return file.path
         is_taken = self._is_among(name, "cmake", programs)
@@ -204,14 +204,14 @@ class UsedCode:
         file = re.compile(rf"(?<!\w){re.escape(stem)}(?!\w)")
         is_named = False
         for source in self._files(_REFERRING):
-            text = self._workspace.text(source.path)
+            text = self._read(source)
             if name in text and source.language == "package":
                 text = _NAMES_PACKAGES.sub("", text)
             if name in text and place.search(text):
                 is_named = True
                 if source.language == "cmake" and (name.startswith(".") or "*" in text):
                     return True
-        return is_named and any(file.search(self._workspace.text(f.path)) for f in self._files(_REFERRING))
+        return is_named and any(file.search(self._read(f)) for f in self._files(_REFERRING))
 
     def language_by_text(self, path: str) -> str:
         """``Python`` or ``C++`` if the file at *path* is a program or has functions by its text; "" else.
@@ -225,11 +225,23 @@ class UsedCode:
         text = self._workspace.text(path)
         if suffix == "ipynb":
             return "Python" if _CELL.search(text) else ""
-        is_script = language_of(name) is None and _ASKS_FOR_PYTHON.match(text) is not None
+        is_script = language_of(name) is None and asks_for_python(text)
         if _RECONFIGURE not in text and (is_script or is_python(text, with_calls=False)):
             return "Python"
         is_known = language_of(name) is not None or suffix in _LIKE_CPP or suffix in TEMPLATES
         return "C++" if not is_known and _begins_as_cpp(text) else ""
+
+    def namer_of_calls(self, path: str) -> str:
+        """The path of Python code that has the name of the file at *path* in a text, if the latter is a program of Python that calls something; else "".
+
+        What runs a text is more than anybody can list; a name of other code, and none of data, tells that it may be run.
+        """
+        name = path.rpartition("/")[2]
+        text = self._workspace.text(path)
+        if language_of(name) in _NO_PROGRAMS or _RECONFIGURE in text or not is_python(text):
+            return ""
+        quoted = re.compile(rf"[\"'/]{re.escape(name)}[\"']")
+        return next((file.path for file in self._files(("python",)) if quoted.search(self._read(file))), "")
 
     def kind_of_stray_launch(self, path: str) -> str:
         """``xml`` or ``yaml`` if the file at *path* is a launch file by its text, not by its name, and none that is analysed names it; else ""."""
@@ -243,7 +255,17 @@ class UsedCode:
 
     def names_in(self, paths: Iterable[str]) -> frozenset[str]:
         """The words in the texts of *paths* that may be names of files."""
-        return frozenset(name for path in paths for name in PIECE.findall(self._workspace.text(path)))
+        return frozenset(name for path in paths for name in PIECE.findall(as_python_reads(self._workspace.text(path))))
+
+    def _read(self, file: SourceFile) -> str:
+        """The text of *file*, names as Python reads them."""
+        if file.path in self._read_before:
+            return self._read_before[file.path]
+        text = self._workspace.text(file.path)
+        read = as_python_reads(text)
+        if read is not text:
+            self._read_before[file.path] = read
+        return read
 
     def _files(self, languages: Collection[str]) -> Iterator[SourceFile]:
         return (file for file in self._workspace.files if file.language in languages)
@@ -251,7 +273,7 @@ class UsedCode:
     def _of(self, language: str, find: Callable[[str], Iterable[str]]) -> frozenset[str]:
         key = f"{language} {find.__name__}"
         if key not in self._names:
-            texts = (self._workspace.text(file.path) for file in self._files((language,)))
+            texts = (self._read(file) for file in self._files((language,)))
             if language == "cmake":
                 texts = (form for text in texts for form in (text, spelled_out(text)))
             found = (name for text in texts for name in find(text))

@@ -353,12 +353,59 @@ def test_comments_that_come_to_silence_more_are_named(trap: Trap) -> None:
     assert more == [
         ("alone.py", 4, "undefined-variable"),
         ("moved.cpp", 1, "cppcheck-suppress"),
+        ("moved.cpp", 3, "nullPointer"),
         ("moved.py", 4, "undefined-variable"),
     ]
     assert outcome.report["silenced"]["comments"] == []
-    assert outcome.says("comments that were there before silence more than they did: alone.py:4 (undefined-variable), ")
+    assert outcome.says("comments silence more than they did in 4 places: alone.py:4 (undefined-variable), ")
 
 
+QUIET_NULL = "int give()\n{\n  int * box = %s;\n  return *box;  // cppcheck-suppress nullPointer\n}\n"
+OF_FILE = "# pylint: skip-file\n"
+
+
+def test_findings_that_old_comments_come_to_silence(trap: Trap) -> None:
+    """The cause is on another line or in another file, or the comment has moved with its line; what the base has so, too, is no news."""
+    user = "from names import %s\n\nX = %s  # noqa: F821\nY = %s  # haros: ignore[undefined-variable] why\n"
+    base = {
+        "null.cpp": "int kept;\n" + QUIET_NULL % "&kept",
+        "header.h": "#define BOX &kept\n",
+        "user.cpp": '#include "header.h"\nint kept;\n' + QUIET_NULL % "BOX",
+        "all.py": OF_FILE + "A = 1\n",
+        "names.py": "here = 1\n",
+        "user.py": user % ("here", "here", "here"),
+        "old.cpp": "int more;\n" + QUIET_NULL % "nullptr",
+        "lost.cpp": "// cppcheck-suppress-file syntaxError\nint a;\n",
+        "from.cpp": "int a();\n" + QUIET_NULL % "nullptr" + "int b();\n",
+    }
+    head = {
+        **base,
+        "null.cpp": "int kept;\n" + QUIET_NULL % "nullptr",
+        "header.h": "#define BOX nullptr\n",
+        "all.py": OF_FILE + "A = nowhere\n",
+        "user.py": (user % ("here", "here", "here")).replace("from names import here\n", ""),
+        "lost.cpp": "// cppcheck-suppress-file syntaxError\nint a;\n" + DEFECT.replace("{ int", "{ { int"),
+        "old.cpp": "int more;\nint even_more;\n" + QUIET_NULL % "nullptr",
+        "to.cpp": "int a();\n" + QUIET_NULL % "nullptr" + "int b();\n",
+    }
+    del head["from.cpp"]
+    pull_request(trap, base, head)
+    outcome = trap.run("--baseline-rev=main", "--ignore=cpplint,metrics,ruff,unassignedVariable")
+    more = [(c["path"], c["line"], c["what"]) for c in outcome.report["silenced"]["more"]]
+    assert {*more} == {
+        ("all.py", 2, "undefined-variable"),
+        ("lost.cpp", None, "what cppcheck would say"),
+        ("lost.cpp", 1, "cppcheck-suppress"),
+        ("null.cpp", 5, "nullPointer"),
+        ("user.cpp", 6, "nullPointer"),
+        ("user.py", 2, "undefined-variable"),
+        ("user.py", 3, "undefined-variable"),
+    }, more
+    assert outcome.says("comments silence more than they did in 7 places: all.py:2 ") and outcome.code == 0
+    assert_harmless(trap, outcome)
+
+
+KEPT = '#include "halt.h"\nvoid kept() noexcept\n{\n  STOP;\n}\n'
 THROW = "void %s()\n{\n  throw 1;\n}\nvoid stop() noexcept\n{\n  %s();\n}\n"
 
 
@@ -368,8 +415,12 @@ def test_findings_that_a_change_brings_with_what_speaks_against_them(trap: Trap)
     one, two = THROW % ("halt", "halt"), THROW % ("end", "end")
     pull_request(
         trap,
-        {"old.cpp": one, "old.py": names, "quiet.cpp": "int quiet();\n", "moved.cpp": one},
         {
+            **{"old.cpp": one, "old.py": names, "quiet.cpp": "int quiet();\n", "moved.cpp": one},
+            **{"kept.cpp": KEPT, "halt.h": "#define STOP static_cast<void>(0)\n"},
+        },
+        {
+            **{"kept.cpp": KEPT, "halt.h": "#define STOP throw 1\n"},
             "old.cpp": "int more();\n" + one,
             "old.py": names + "\n\nX = 1\n",
             "other.cpp": one,
@@ -381,8 +432,8 @@ def test_findings_that_a_change_brings_with_what_speaks_against_them(trap: Trap)
     outcome = trap.run("--baseline-rev=main", "--ignore=cpplint,metrics,ruff,unassignedVariable,function-redefined")
     said = [message for _, message in outcome.notes() if "speaks against" in message]
     assert said == [
-        "since this change 2 findings are not reported, as the code around speaks against them: new.cpp:7 (cppcheck:throwInNoexceptFunction), "
-        "new.py:2 (pylint:undefined-variable); look at them"
+        "since this change 3 findings are not reported, as the code around speaks against them: kept.cpp:4 (cppcheck:throwInNoexceptFunction), "
+        "new.cpp:7 (cppcheck:throwInNoexceptFunction), new.py:2 (pylint:undefined-variable); look at them"
     ]
     assert outcome.code == 0 and outcome.report["silenced"] == {"findings": 0, "comments": [], "more": []}
     assert_harmless(trap, outcome)

@@ -530,6 +530,30 @@ def test_a_module_of_the_package() -> None:
     assert nodes(found) == [("/x", "node", ["publishers /a"])]
 
 
+@pytest.mark.parametrize(
+    ("call", "expected"),
+    [
+        ("super().create_publisher(String, 'a', 1)", ["publishers /s/a"]),
+        ("super(N, self).create_subscription(String, 'a', print, 1)", ["subscribers /s/a"]),
+        ("Node.create_publisher(self, String, 'a', 1)", ["publishers /s/a"]),
+        ("rclpy.node.Node.create_publisher(self, msg_type=String, topic='a', qos_profile=1)", ["publishers /s/a"]),
+        ("super().create_timer(1.0, lambda: self.create_publisher(String, 'a', 1))", ["publishers /s/a"]),
+        ("super().get_logger()", []),
+        ("Node.get_name(self)", []),
+        ("Other.create_publisher(self, String, 'a', 1)", []),
+        ("create_publisher(self, String, 'a', 1)", []),
+    ],
+)
+def test_methods_of_the_class_above(call: str, expected: list[str]) -> None:
+    assert made(node(call, head="import rclpy.node\nfrom other import Other\n")) == expected
+
+
+def test_methods_of_the_class_above_in_one_that_has_its_own() -> None:
+    methods = "def create_publisher(self, kind, name, depth):\n    return super().create_publisher(kind, name + '_own', depth)\n"
+    assert made(node("self.create_publisher(String, 'a', 1)", methods)) == ["publishers /s/a_own"]
+    assert made(node("Node.create_publisher(self, String, 'a', 1)", methods)) == ["publishers /s/a"]
+
+
 def test_a_node_whose_name_is_not_known() -> None:
     (found,) = program("n = rclpy.create_node(x())\nn.create_publisher(String, '~/a', 1)").nodes
     assert (found.name, [each.field for each in found.unknowns]) == ("/?", ["name"])

@@ -87,3 +87,19 @@ def test_the_rules_are_known() -> None:
 def test_what_linters_say() -> None:
     assert is_of_linter(result("cppcheck:nullPointer"))
     assert not any(map(is_of_linter, map(result, ("haros-ci:missing-source", "metrics:mi-below-20", "clazy:level0"))))
+
+
+@pytest.mark.parametrize(
+    ("path", "expected"),
+    [
+        ("src/motor_spec.cpp", False),
+        ("demo/test_rig.py", False),
+        ("src/other_test.cpp", True),
+        ("test/motor_spec.cpp", True),
+        ("demo_tests/rig.py", True),
+    ],
+)
+def test_what_a_build_makes_a_program_of_is_no_test(path: str, expected: bool) -> None:
+    assert is_idle(result("cppcheck:nullPointer", path), 2, lambda one: "other" not in one) is expected
+    assert is_idle(result("cppcheck:nullPointer", path), 2) is True
+    assert is_idle(result("cppcheck:uninitvar", path), 2, lambda one: True) is False

@@ -328,7 +328,5 @@ def test_old_comments_over_code_that_changes(path: str, base: str, head: str, li
 
 def test_more_is_put_in_words() -> None:
     silence = Silenced(more=((Location("a.py", 4), "undefined-variable"),))
-    assert list(sentences(silence)) == [
-        "comments that were there before silence more than they did: a.py:4 (undefined-variable)"
-    ]
-    assert counted(silence) == "1 more silenced by comments that were there before" and bool(silence)
+    assert list(sentences(silence)) == ["comments silence more than they did in 1 place: a.py:4 (undefined-variable)"]
+    assert counted(silence) == "1 more silenced by comments" and bool(silence)

@@ -165,3 +165,13 @@ def test_headers_of_one_name_without_number(tmp_path: Path, monkeypatch: pytest.
     monkeypatch.setattr("haros_ci.workspace.shadowing._MOST_LOOKS", 1)
     ((path, message),) = brought(tmp_path, HEADER, {f"arm/first{i}/arm/give.hpp": GIVE for i in range(3)})
     assert path == "arm/first0/arm/give.hpp" and "so many headers are called give.hpp" in message
+
+
+def test_what_stands_behind_the_last_note_is_named_in_one(tmp_path: Path) -> None:
+    names = [f"give{number:02}.hpp" for number in range(24)]
+    use = "".join(f'#include "arm/{name}"\n' for name in names)
+    base = {"arm/package.xml": MANIFEST.format("arm"), "arm/src/driver.cpp": use}
+    base |= {f"arm/include/arm/{name}": GIVE for name in names}
+    found = brought(tmp_path, base, {f"arm/first/arm/{name}": GIVE for name in names})
+    assert len(found) == 21 and "arm/first/arm/give23.hpp" in found[1][1]
+    assert found[1][0] == found[0][0] and found[1][1].startswith("there are 4 more than the next 20 of this kind")

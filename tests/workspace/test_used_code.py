@@ -71,6 +71,19 @@ FIRES = {
         "part.run",
         f"#!/usr/bin/env -S nice python3\n{NEWER}",
     ),
+    "a name of full width": ("a.py", "\uff45xec(open('src/part.txt').read())\n", "part.txt", "print(undefined)\n"),
+    "an interpreter in quotes": (
+        "setup.py",
+        "DATA = [('lib/p', ['src/part'])]\n",
+        "part",
+        '#!/usr/bin/env -S py"thon3"\nprint(undefined)\n',
+    ),
+    "an interpreter that is not known": (
+        "setup.py",
+        "DATA = [('lib/p', ['src/part'])]\n",
+        "part",
+        "#!/usr/bin/env -S coverage run\nprint(undefined)\n",
+    ),
     "a copy that is kept": (
         "setup.py",
         "DATA = [('lib/p', ['src/part.old'])]\n",
@@ -500,6 +513,13 @@ QUIET = {
         "Part\n====\n\n    import os\n",
     ),
     "a model that is evaluated": ("a.py", "model.eval('part.pth')\nre.compile('part.pth')\n", "part.pth", "x"),
+    "a program of Ruby": ("setup.py", "DATA = ['src/part']\n", "part", "#!/usr/bin/env ruby\nprint(1)\n"),
+    "an interpreter that is not known, of what is no Python": (
+        "setup.py",
+        "DATA = ['src/part']\n",
+        "part",
+        "#!/usr/bin/env elvish\necho $a\n",
+    ),
     "what is no text": ("a.py", "exec(open('part.txt').read())\n", "part.txt", "\0"),
     "a method that is called so": ("a.py", "cursor.execute('part.txt')\nre_compiled = 'part.txt'\n", "part.txt", "x"),
 }
@@ -651,3 +671,30 @@ def test_a_dependency_on_an_ignored_package_reaches_no_file_of_it(manifest: str,
 )
 def test_another_word_of_a_manifest_may(manifest: str, tmp_path: Path) -> None:
     assert _reaches(tmp_path, manifest)
+
+
+@pytest.mark.parametrize(
+    ("name", "part", "code", "is_named"),
+    [
+        ("part.txt", "print(undefined)\n", "pydoc.importfile('part.txt')\n", True),
+        ("part.dat", "print(undefined)\n", "PLACE = f'{HERE}/part.dat'\n", True),
+        ("part", "x = call()\n", 'run(HERE / "part")\n', True),
+        ("part.yaml", "print(undefined)\n", "load('src/part.yaml')\n", True),
+        ("part.txt", "print(undefined)\n", "part = 'part.text'\n", False),
+        ("part.txt", "print(undefined)\n", "# part.txt\n", False),
+        ("part.txt", "rate = 10\n", "load('part.txt')\n", False),
+        ("part.txt", "numpy\nscipy\n", "load('part.txt')\n", False),
+        ("part.txt", "Run print(x) to see it.\n", "load('part.txt')\n", False),
+        ("part.yaml", "rate: 10\nname: f(x)\n", "load('part.yaml')\n", False),
+        ("part.json", '{"a": [1, "f(x)"]}\n', "load('part.json')\n", False),
+        ("part.lua", 'include "map.lua"\noptions = {\n  a = 1,\n}\n', "load('part.lua')\n", False),
+        ("part.cmake", "set(A)\n", "load('part.cmake')\n", False),
+        ("part.cfg", "gen = ParameterGenerator()\n", "load('part.cfg')\n", False),
+        ("part.md", "print(1)\n", "load('part.md')\n", False),
+    ],
+)
+def test_calls_that_code_names(name: str, part: str, code: str, is_named: bool, tmp_path: Path) -> None:
+    for file, data in (("a.py", code), (f"src/{name}", part)):
+        (tmp_path / file).parent.mkdir(exist_ok=True)
+        (tmp_path / file).write_text(data)
+    assert UsedCode(discover(tmp_path, (".",))).namer_of_calls(f"src/{name}") == ("a.py" if is_named else "")

@@ -11,6 +11,7 @@ from dataclasses import dataclass, field, replace
 from haros_ci.launch.facts.files import Finder
 from haros_ci.model.build import Build
 from haros_ci.model.launch_facts import ProgramUse
+from haros_ci.model.program_words import may_make_program
 from haros_ci.model.similar_files import similar_names
 
 #: Commands of CMake that make programs under names of their own.
@@ -102,7 +103,7 @@ class Programs:
             return True
         last = use.program.rpartition("::")[2].rpartition("/")[2]
         text = self.finder.script(use.package, start)
-        if not text or re.search(rf"(?<!\w){re.escape(last)}(?!\w)", text):
+        if not text or may_make_program(text, last, is_file=use.kind == "executable"):
             return True
         if any(match[1].lower() not in _KNOWN_MAKERS for match in _MAKERS.finditer(text)):
             return True

@@ -10,6 +10,7 @@ from dataclasses import replace
 from haros_ci.graph.remap_rules import written_rule
 from haros_ci.graph.ros2_process import from_arguments, ros_arguments
 from haros_ci.launch.ros2.context import NAMESPACE, Context
+from haros_ci.launch.ros2.in_shells import commands
 from haros_ci.launch.ros2.parameter_files import Component, file_rules, missing
 from haros_ci.launch.ros2.parameters import node_rules
 from haros_ci.launch.ros2.substitutions import truth_of
@@ -85,10 +86,16 @@ def full_name(started: LaunchedNode) -> str:
     return f"{(started.namespace or '').rstrip('/')}/{started.name if started.name is not None else '?'}"
 
 
-def command(context: Context, action: Action, conditions: tuple[Condition, ...]) -> LaunchedNode | None:
-    """The node that a process is: ``ros2 run package executable ...``, or a package's executable by its path."""
+def processes(context: Context, action: Action, conditions: tuple[Condition, ...]) -> tuple[LaunchedNode, ...]:
+    """The nodes that a process is, or starts: ``ros2 run package executable ...``, also in a line of a shell, or a package's executable by its path."""
     cmd = _command(context, action)
-    words = _words(cmd.raw)
+    every = (_process(context, action, conditions, cmd, words) for words in commands(_words(cmd.raw), _words))
+    return tuple(node for node in every if node is not None)
+
+
+def _process(
+    context: Context, action: Action, conditions: tuple[Condition, ...], cmd: Text, words: list[str]
+) -> LaunchedNode | None:
     tool = TOOLS.get((words[1], words[2])) if words[:1] == ["ros2"] and len(words) > 2 else None
     if tool is not None:
         words = words[: next((number for number, word in enumerate(words) if _SHELL.match(word)), None)]

@@ -12,7 +12,7 @@ from haros_ci.launch.ros2 import presences
 from haros_ci.launch.ros2.assuming import assume
 from haros_ci.launch.ros2.context import Context, GroupScope, LaunchBudgetExhausted
 from haros_ci.launch.ros2.including import include
-from haros_ci.launch.ros2.node import TOOLS, command, component, full_name, loading, node
+from haros_ci.launch.ros2.node import TOOLS, component, full_name, loading, node, processes
 from haros_ci.launch.ros2.settings import SETTERS, doubt, kept, name_of
 from haros_ci.launch.ros2.substitutions import truth_of
 from haros_ci.model.architecture import Condition
@@ -272,17 +272,13 @@ class LaunchEvaluation:
 
     def executable(self, action: Action, conditions: _Conditions) -> None:
         self.context.facts.taken()
-        started = command(self.context, action, conditions)
-        is_command = started is not None and (
-            started.package in TOOLS.values() or started.type in ("gazebo", "gzserver")
-        )
-        if started is not None and not is_command:
-            self.nodes.append(ros2.started(self.context, started))
+        every = processes(self.context, action, conditions)
+        tools = [one for one in every if one.package in TOOLS.values() or one.type in ("gazebo", "gzserver")]
+        self.nodes += (one if one in tools else ros2.started(self.context, one) for one in every)
+        if len(tools) < len(every):
             return
         asking = loading(self.context, action, conditions)
-        self.nodes += [
-            other_node for other_node in (started, asking) if other_node is not None
-        ]  # a command, which has nodes
+        self.nodes += [asking] if asking is not None else []  # a command, which has nodes
         line = self.context.text(action.get("cmd") or ())
         ros2.command(self.context, line, action.location)
         ros2.program(self.context, line, action.location)

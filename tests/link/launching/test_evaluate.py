@@ -279,11 +279,32 @@ def test_timers_are_conditions_and_come_after_all_scopes() -> None:
         ("ros2 run p", None),
         ("$(find-exec gdb) run p e", None),
         ("gzserver", None),
+        ("env ros2 run p e", ("p", "e", "", "")),
+        ("env -i A=b ros2 run p e a", ("p", "e", "a", "")),
+        ("bash -c 'ros2 run p e'", ("p", "e", "", "")),
+        ("/bin/bash -lc 'sleep 1 &amp;&amp; exec ros2 run p e a'", ("p", "e", "a", "")),
+        ("exec ros2 run p e", ("p", "e", "", "")),
+        ("'sleep 1 &amp;&amp; ros2 run p e'", ("p", "e", "", "")),
+        ("sleep 1; nice -n 5 ros2 run p e &amp;", ("p", "e", "", "")),
+        ("sh -c 'env bash -c \\'ros2 run p e\\''", None),
+        ("bash run.sh ros2 run p e", None),
+        ("bash -c 'echo ros2 run p e'", None),
+        ("echo ros2 run p e", None),
+        ("echo 'sleep 1 &amp;&amp; ros2 run p e'", None),
+        ("gnuplot -c 'ros2 run p e'", None),
+        ("env", None),
+        ("bash -c", None),
+        ("ros2 topic pub /a x '{b: 1}; c'", ("ros2topic", "pub", "/a x '{b: 1}; c'", "")),
     ],
 )
 def test_executables(cmd: str, expected: tuple[str, ...] | None) -> None:
     found = launch(ARG + f'<executable cmd="{cmd}"/>').nodes
     assert [(n.package, n.type, n.arguments, n.ros_arguments) for n in found] == ([expected] if expected else [])
+
+
+def test_several_executables_of_one_line() -> None:
+    found = launch("""<executable cmd="ros2 run p a &amp; ros2 run p b; bash -c 'ros2 run p c | tee d'"/>""").nodes
+    assert [n.type for n in found] == ["a", "b", "c"]
 
 
 @pytest.mark.parametrize(
