@@ -122,7 +122,7 @@ def steps_not_followed(text: str, is_file: Callable[[str], bool] = lambda _: Fal
     pending = list(reversed(script.commands))
     while pending:
         command = pending.pop()
-        is_usual = command.name in _RUNNING or command.name == "file"
+        is_usual = command.name in _RUNNING or command.name in ("file", "configure_file")
         found += (BuildStep(command.line, _quoted(command, odd), is_usual) for odd in _odd(command, is_file))
         for opener, body in reversed(command.branches):
             pending += reversed(body)
@@ -273,6 +273,13 @@ def _name(word: str) -> str:
     return word.rpartition("/")[2]
 
 
+def _configured(arguments: tuple[CMakeArgument, ...], _: Callable[[str], bool]) -> Iterator[str]:
+    """A template that nobody finds by its name, of what may be CMake or code."""
+    source, target = ([_name(argument.text) for argument in arguments] + ["", ""])[:2]
+    if "$" in source.removesuffix("}") and ("$" in target or language_of(target) in ("cmake", "cpp", "python")):
+        yield f"{source} {target}"
+
+
 def _file(arguments: tuple[CMakeArgument, ...], _: Callable[[str], bool]) -> Iterator[str]:
     words = [argument.text for argument in arguments]
     what = words[0].upper() if words else ""
@@ -300,6 +307,7 @@ _BY_NAME: Mapping[str, Callable[[tuple[CMakeArgument, ...], Callable[[str], bool
     "include": _include,
     "install": _install,
     "file": _file,
+    "configure_file": _configured,
     "target_precompile_headers": _headers,
     "function": _defined,
     "macro": _defined,
