@@ -12,6 +12,7 @@ from posixpath import join, relpath
 
 from haros_ci.linters import compile_db, cppcheck_libraries, growth, includes, installed, ros_macros, unseen_headers
 from haros_ci.linters.catalogue.cppcheck import UNSURE
+from haros_ci.linters.compiled_language import compiled_as_cpp
 from haros_ci.linters.cppcheck_doubts import is_refuted, self_initialized_line
 from haros_ci.linters.cppcheck_indices import OF_INDICES, is_multiple, is_searched
 from haros_ci.linters.doubting import Doubting
@@ -86,6 +87,7 @@ def plan(workspace: Workspace, options: LintOptions, store: Store) -> Iterator[U
     macros = ros_macros.names(ros_macros.macro_marks(workspace, files.values(), store))
     requested = cppcheck_libraries.by_file(workspace, files.values(), directives, store)
     without = cppcheck_libraries.switched_off(workspace)
+    as_cpp = compiled_as_cpp(workspace)
     included = {header for path in direct for header in direct[path]}
     views = unseen_headers.sights(workspace, files.values(), store)
     conditional = includes.resolve({path: view.conditional for path, view in views.items()}, search)
@@ -101,7 +103,8 @@ def plan(workspace: Workspace, options: LintOptions, store: Store) -> Iterator[U
             (requested[header] for header in (path, *headers)),
             no_keywords=files[path].package in without or "-DQT_NO_KEYWORDS" in setups[path][1],
         )
-        group = json.dumps(["c" if path.endswith(".c") else "c++", *setups[path], libraries, macros])
+        language = "c" if path.endswith(".c") and path not in as_cpp else "c++"
+        group = json.dumps([language, *setups[path], libraries, macros])
         covers = tuple(header for header in headers if not _is_source(header))
         yield Unit(files[path], group, dependencies=needs(path), covers=covers)
 
