@@ -10,7 +10,16 @@ from collections.abc import Iterable, Iterator
 from functools import lru_cache, partial
 from posixpath import join, relpath
 
-from haros_ci.linters import compile_db, cppcheck_libraries, growth, includes, installed, ros_macros, unseen_headers
+from haros_ci.linters import (
+    compile_db,
+    cppcheck_libraries,
+    growth,
+    includes,
+    installed,
+    ros_macros,
+    type_growth,
+    unseen_headers,
+)
 from haros_ci.linters.catalogue.cppcheck import UNSURE
 from haros_ci.linters.compiled_language import compiled_as_cpp
 from haros_ci.linters.cppcheck_doubts import is_refuted, self_initialized_line
@@ -112,7 +121,7 @@ def plan(workspace: Workspace, options: LintOptions, store: Store) -> Iterator[U
 def declined(workspace: Workspace, units: Iterable[Unit]) -> dict[str, str]:
     """Files on which the tool would not end, or of which it reads another path, with the reason: it is not asked about them."""
     units = list(units)
-    found = growth.why_not_cpp(workspace, units)
+    found = type_growth.why_not(workspace, units) | growth.why_not_cpp(workspace, units)
     for unit in units:
         paths = (unit.file.path, *unit.dependencies)
         if odd := next((path for path in paths if "\\" in path), None):

@@ -15,7 +15,12 @@ from haros_ci.linters.linter import LintOptions
 from haros_ci.model.package import Package
 
 PACKAGES = (Package(name="arm", path="arm"), Package(name="other", path="other"))
-FILES = {"arm/src/part.c": "int a;\n", "arm/src/more.c": "int b;\n", "other/part.c": "int c;\n", "other/d.cpp": "int d;\n"}
+FILES = {
+    "arm/src/part.c": "int a;\n",
+    "arm/src/more.c": "int b;\n",
+    "other/part.c": "int c;\n",
+    "other/d.cpp": "int d;\n",
+}
 
 
 def found(place: Path, text: str) -> frozenset[str]:
