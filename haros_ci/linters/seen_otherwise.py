@@ -44,6 +44,7 @@ _PRAGMA = re.compile(
     r"^[ \t]*(?:#|%:)[ \t]*pragma\b([^\n]*)|(?<!\w)(?:_Pragma|__pragma)\s*\(\s*(?:L?\"((?:[^\"\\\n]|\\.)*)\"|([^\n]{0,200}))",
     re.M,
 )
+_ANY_MACRO = re.compile(r"\b(?:push|pop)_macro\b")
 _USUAL_PRAGMA = re.compile(
     r"\s*(?:once|(?:GCC|clang|gcc)\s+(?:diagnostic|system_header|visibility|optimize|target|ivdep|unroll|push_options|pop_options|reset_options|warning|error|loop|fp|attribute)\b"
     r"|(?:omp|acc|warning|pack|region|endregion|unroll|nounroll|message|STDC|ident|comment|simd|ivdep|vector|novector|loop_count|prefetch|HLS|hls|hd_warning_disable|nv_\w+|diag_\w+"
@@ -187,6 +188,8 @@ def _pragmas(text: str) -> Iterator[str]:
         words = next(group for group in match.groups() if group is not None)
         if not _USUAL_PRAGMA.match(words):
             yield f"the pragma '{_quoted(words)}'"
+    if (found := _ANY_MACRO.search(text)) is not None:
+        yield f"the pragma {found[0]}"
 
 
 def _code(text: str) -> str:

@@ -14,12 +14,14 @@ _PLACE = re.compile(REFERENCE)
 _REFERENCES = re.compile(r"\$?\{[\w./+-]{1,100}\}")
 #: What a name of a macro is by custom: capitals, or capitals behind a name of a package (``rtde_EXPORTS``).
 _NAME = re.compile(r"_*[A-Z][A-Z0-9_.+-]*|[A-Z]{2}\w*|[A-Za-z0-9_.+-]*(?:_+[A-Z]|[A-Z]+_)[A-Za-z0-9_.+-]*")
+_JOINED = re.compile(r"\w\$?\{[^{}]{1,100}\}[a-z]")
 _WORD = re.compile(r"[A-Za-z_]\w*")
 _TRUTH = frozenset("ON OFF TRUE FALSE YES NO true false on off yes no".split())
 #: A word that renames another one, wherever it stands in a command.
 _RENAMES = re.compile(r"(?:-D)?([A-Za-z_]\w*)=([A-Za-z_]\w*|)")
 #: A value by a generator expression that is a word itself.
 _WORD_OF_GENEX = re.compile(r"=\$<(?:[^<>]|\$<[^<>]{0,200}>){0,200}:([A-Za-z_]\w*)>")
+_CUT = re.compile(r"-D\w*\$<")
 _BETWEEN = re.compile(r";|\s+(?=-)")
 _IN_GENEX = re.compile(r"[\s;:<>$,]+")
 
@@ -38,6 +40,13 @@ def odd_definitions(text: str) -> Iterator[str]:
             yield text
         return
     yield from (part for part in _BETWEEN.split(text) if _is_odd(part))
+
+
+def put_together(text: str) -> bool:
+    """Whether a flag ``-D`` in *text* gets its value, or the rest of its name, from a generator expression that has a word for it."""
+    return "-D" in text and (
+        _CUT.search(text) is not None or any(w not in _TRUTH for w in _WORD_OF_GENEX.findall(text))
+    )
 
 
 def odd_flag(word: str) -> bool:
@@ -62,5 +71,7 @@ def _is_odd(part: str) -> bool:
     name, equals, value = part.removeprefix("-D").partition("=")
     if not equals and (not name or _REFERENCES.fullmatch(name)):
         return False
+    if not equals and _JOINED.search(name):
+        return True  # what a variable stands for may be the sign between
     is_word = _WORD.fullmatch(value) is not None and value not in _TRUTH
     return is_word or not is_macro_name(name)

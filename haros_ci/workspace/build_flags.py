@@ -6,7 +6,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from haros_ci.workspace.build_definitions import REFERENCE, odd_definitions, odd_flag
+from haros_ci.workspace.build_definitions import REFERENCE, odd_definitions, odd_flag, put_together
 
 _PATH = rf"(?:[\w./+~:\"\\-]|{REFERENCE})"
 #: What the code is written in, or which of its words are keywords, is not for a flag to say: linters read UTF-8, and C++ as it is by default.
@@ -36,6 +36,9 @@ def odd_flags(text: str, *, are_definitions: bool = False) -> Iterator[str]:
             yield odd or text
             return
     if "$<" in text:
+        if put_together(text):
+            yield text
+            return
         text = re.sub(REFERENCE, "X", text)
         words = [word for word in _IN_GENEX.split(text) if word.startswith(("-", "@"))]
         yield from (word for word in words if not _is_harmless(word) or odd_flag(word))

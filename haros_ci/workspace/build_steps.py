@@ -238,6 +238,8 @@ def _properties(arguments: tuple[CMakeArgument, ...], is_file: Callable[[str], b
             yield f"{name} {value}"
         elif _DEFINITIONS_OF.fullmatch(name):
             yield from odd_flags(value, are_definitions=True)
+        elif "$<" in value:
+            yield from odd_flags(value)
     yield from _flags((argument for argument in arguments if argument.text.startswith(("-", "@"))), is_file)
 
 
@@ -276,7 +278,9 @@ def _name(word: str) -> str:
 def _configured(arguments: tuple[CMakeArgument, ...], _: Callable[[str], bool]) -> Iterator[str]:
     """A template that nobody finds by its name, of what may be CMake or code."""
     source, target = ([_name(argument.text) for argument in arguments] + ["", ""])[:2]
-    if "$" in source.removesuffix("}") and ("$" in target or language_of(target) in ("cmake", "cpp", "python")):
+    if target.endswith(".pc") and ".pc" not in source:
+        yield f"{source} {target}"
+    elif "$" in source.removesuffix("}") and ("$" in target or language_of(target) in ("cmake", "cpp", "python")):
         yield f"{source} {target}"
 
 

@@ -112,6 +112,11 @@ FOLLOWED_BY_NOBODY += [
     "define_more(a kept=local)",
     "option(MODE kept=local ON)",
     "foreach(mode kept=local)\nendforeach()",
+    "add_compile_options(-DKEPT$<1:=local>)",
+    "add_compile_options(-DKEPT=$<1:local>)",
+    "target_compile_definitions(a PRIVATE KEPT${SIGN}local)",
+    "set_target_properties(a PROPERTIES COMPILE_OPTIONS $<1:-Dkept=local>)",
+    "set_target_properties(a PROPERTIES INTERFACE_COMPILE_DEFINITIONS kept=local)",
     "generate_export_header(a NO_EXPORT_MACRO_NAME static)",
     "generate_export_header(a EXPORT_MACRO_NAME ${WORD})",
     "add_compile_options(-finput-charset=UTF-7)",
@@ -220,6 +225,9 @@ add_definitions(${DEFINITIONS} -DA= "-DB=\\"a b=c\\"" -DPATH_TO="${HERE}/a" -DVE
 target_compile_definitions(b PUBLIC $<$<CONFIG:Debug>:CHECKED=1> "$<BUILD_INTERFACE:WHERE=\\"${HERE}\\">")
 set_target_properties(a PROPERTIES COMPILE_DEFINITIONS "A=1;B=\\"c\\"" DEFINE_SYMBOL A_BUILDING)
 add_compile_options(-finput-charset=UTF-8 -finput-charset=utf8 -fno-exceptions -fexec-charset=UTF-8)
+target_compile_definitions(b PUBLIC LIB_${NAME} ${PROJECT_NAME}_EXPORTS A_${B}_C)
+add_compile_options(-DCHECKED=$<BOOL:${CHECKED}> $<$<CONFIG:Debug>:-DDEBUG=1>)
+set_target_properties(a PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Debug>:-O0>")
 set(ENVIRONMENT "PYTHONPATH=${HERE};A=b" ROS_DOMAIN_ID=3 name:=value a==b --arg=value)
 set(PYTHON_EXECUTABLE /usr/bin/python3)
 set(PYTHON_EXECUTABLE ${Python3_EXECUTABLE})
