@@ -54,13 +54,18 @@ def odd_flag(word: str) -> bool:
     return word.startswith("-D") and word != "-D" and _is_odd(word)
 
 
-def renamings(texts: Iterable[str]) -> Iterator[str]:
-    """What in the arguments *texts* of any command would rename a word of the code, were it a definition."""
+def renamings(texts: Iterable[str], *, are_kept: bool) -> Iterator[str]:
+    """What in the arguments *texts* of any command would rename a word of the code, were it a definition.
+
+    Where a variable keeps them (*are_kept*), a name in capitals with a value in small letters is one, too: elsewhere it is a test's environment.
+    """
     for text in texts:
         if "=" in text:
             for word in re.split(r"[\s;]+", text):
                 found = _RENAMES.fullmatch(word)
-                if found is not None and not is_macro_name(found[1]) and found[2] not in _TRUTH:
+                if found is None or found[2] in _TRUTH:
+                    continue
+                if not is_macro_name(found[1]) or (are_kept and found[2].islower()):
                     yield word
 
 

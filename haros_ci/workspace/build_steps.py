@@ -84,6 +84,7 @@ _VARIABLES = re.compile(
     r"|\w*RPATH\w*|\w+_LINKER_FLAGS\w*|CONFIGURATION_TYPES|POLICY_\w+|MACOSX_RPATH|OSX_\w+|VERBOSE_MAKEFILE|COLOR_\w+|SUPPRESS_\w+|WARN_\w+|THREAD_PREFER_PTHREAD|DEBUG_POSTFIX|\w+_POSTFIX|REQUIRED_\w+"
     r"|INTERPROCEDURAL_OPTIMIZATION\w*|SKIP_\w+|LINK_\w+|USE_RELATIVE_PATHS|CROSSCOMPILING|LIBRARY_OUTPUT_PATH|PROJECT_(?:NAME|VERSION\w*)|CURRENT_\w+|(?:SOURCE|BINARY)_DIR|ENABLE_EXPORTS|STRIP|ALLOW_LOOSE_LOOP_CONSTRUCTS|NO_SYSTEM_FROM_IMPORTED|SWIG_\w+|SYSTEM_\w+|TRY_COMPILE_\w+|USE_PTHREADS_INIT|HAVE_\w+|THREAD_\w+|OBJDUMP|\w+_PLATFORM|ABSOLUTE_DESTINATION_FILES)"
 )
+_KEEPING = frozenset(("set", "list", "string"))
 _SCOPES = frozenset(("PUBLIC", "PRIVATE", "INTERFACE", "BEFORE"))
 #: What a package that was found offers (cmake-developer(7)).
 _USE_FILE = re.compile(r"\$\{\w{1,100}_USE_FILE\}")
@@ -135,7 +136,8 @@ def _odd(command: ParsedCommand, is_file: Callable[[str], bool]) -> Iterator[str
     """The arguments of *command* that are not known to be harmless; all of them, for a command that is not."""
     name, arguments = command.name, command.arguments
     if name not in _DEFINING and name != "message":
-        yield from renamings(argument.text for argument in arguments if not argument.is_literal)
+        texts = [argument.text for argument in arguments if not argument.is_literal]
+        yield from renamings(texts, are_kept=name in _KEEPING)
     if name in _HARMLESS:
         yield from _given(name, [argument.text for argument in arguments])
         return

@@ -110,6 +110,7 @@ FOLLOWED_BY_NOBODY += [
     'set(MODE "A=1;static=")',
     "list(APPEND MODE kept=local)",
     "define_more(a kept=local)",
+    "set(MODE KEPT=local)",
     "option(MODE kept=local ON)",
     "foreach(mode kept=local)\nendforeach()",
     "add_compile_options(-DKEPT$<1:=local>)",
@@ -228,7 +229,8 @@ add_compile_options(-finput-charset=UTF-8 -finput-charset=utf8 -fno-exceptions -
 target_compile_definitions(b PUBLIC LIB_${NAME} ${PROJECT_NAME}_EXPORTS A_${B}_C)
 add_compile_options(-DCHECKED=$<BOOL:${CHECKED}> $<$<CONFIG:Debug>:-DDEBUG=1>)
 set_target_properties(a PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Debug>:-O0>")
-set(ENVIRONMENT "PYTHONPATH=${HERE};A=b" ROS_DOMAIN_ID=3 name:=value a==b --arg=value)
+ament_add_test(test_b ENV RMW_IMPLEMENTATION=rmw_a A=b)
+set(ENVIRONMENT "PYTHONPATH=${HERE};A=B" ROS_DOMAIN_ID=3 name:=value a==b --arg=value)
 set(PYTHON_EXECUTABLE /usr/bin/python3)
 set(PYTHON_EXECUTABLE ${Python3_EXECUTABLE})
 message(STATUS kept=local)
