@@ -10,8 +10,18 @@ from collections.abc import Iterable, Iterator
 from functools import lru_cache, partial
 from posixpath import join, relpath
 
-from haros_ci.linters import compile_db, cppcheck_libraries, growth, includes, installed, ros_macros, unseen_headers
+from haros_ci.linters import (
+    compile_db,
+    cppcheck_libraries,
+    growth,
+    includes,
+    installed,
+    ros_macros,
+    type_growth,
+    unseen_headers,
+)
 from haros_ci.linters.catalogue.cppcheck import UNSURE
+from haros_ci.linters.compiled_language import compiled_as_cpp
 from haros_ci.linters.cppcheck_doubts import is_refuted, self_initialized_line
 from haros_ci.linters.cppcheck_indices import OF_INDICES, is_multiple, is_searched
 from haros_ci.linters.doubting import Doubting
@@ -86,6 +96,7 @@ def plan(workspace: Workspace, options: LintOptions, store: Store) -> Iterator[U
     macros = ros_macros.names(ros_macros.macro_marks(workspace, files.values(), store))
     requested = cppcheck_libraries.by_file(workspace, files.values(), directives, store)
     without = cppcheck_libraries.switched_off(workspace)
+    as_cpp = compiled_as_cpp(workspace)
     included = {header for path in direct for header in direct[path]}
     views = unseen_headers.sights(workspace, files.values(), store)
     conditional = includes.resolve({path: view.conditional for path, view in views.items()}, search)
@@ -101,7 +112,8 @@ def plan(workspace: Workspace, options: LintOptions, store: Store) -> Iterator[U
             (requested[header] for header in (path, *headers)),
             no_keywords=files[path].package in without or "-DQT_NO_KEYWORDS" in setups[path][1],
         )
-        group = json.dumps(["c" if path.endswith(".c") else "c++", *setups[path], libraries, macros])
+        language = "c" if path.endswith(".c") and path not in as_cpp else "c++"
+        group = json.dumps([language, *setups[path], libraries, macros])
         covers = tuple(header for header in headers if not _is_source(header))
         yield Unit(files[path], group, dependencies=needs(path), covers=covers)
 
@@ -109,7 +121,7 @@ def plan(workspace: Workspace, options: LintOptions, store: Store) -> Iterator[U
 def declined(workspace: Workspace, units: Iterable[Unit]) -> dict[str, str]:
     """Files on which the tool would not end, or of which it reads another path, with the reason: it is not asked about them."""
     units = list(units)
-    found = growth.why_not_cpp(workspace, units)
+    found = type_growth.why_not(workspace, units) | growth.why_not_cpp(workspace, units)
     for unit in units:
         paths = (unit.file.path, *unit.dependencies)
         if odd := next((path for path in paths if "\\" in path), None):

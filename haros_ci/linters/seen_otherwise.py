@@ -10,12 +10,14 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from haros_ci.linters import ros_macros
+from haros_ci.linters import macro_scan, pasted_names, ros_macros
 from haros_ci.linters.dead_text import dead
 from haros_ci.linters.macro_scan import is_decoration
-from haros_ci.linters.macros_elsewhere import MacrosElsewhere
+from haros_ci.linters.macros_elsewhere import MacrosElsewhere, brought
+from haros_ci.linters.meanings import SPELLED
 from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Workspace
+from haros_ci.results.code_alone import without_comments
 from haros_ci.results.result import Notification
 from haros_ci.results.rule import Level
 
@@ -25,23 +27,46 @@ _QUOTED = 80
 _LONGEST = 20_000
 _COMPUTED = re.compile(r"^[ \t]*(?:#|%:)[ \t]*(?:include(?:_next)?|import)[ \t]*([A-Za-z_]\w*[^\n]*)", re.M)
 _DEFINED = re.compile(r"^[ \t]*(?:#|%:)[ \t]*define[ \t]+([A-Za-z_]\w*)(\([^()\n]*\))?([^\n]*)", re.M)
+#: A condition on a name, and the one directive that may stand under it alone: that which defines the name, or takes it back.
 _TESTED = re.compile(
-    r"^[ \t]*(?:#|%:)[ \t]*(?:if(n)?def[ \t]+|(?:el)?if\b[^\n]{0,200}?(!)?[ \t]*\bdefined\b[ \t(]*)([A-Za-z_]\w*)[^\n]*\n(?:[ \t]*\n)*[ \t]*(#|%:)?",
+    r"^[ \t]*(?:#|%:)[ \t]*(?:ifn?def[ \t]+|(?:el)?if\b[^\n]{0,200}?\bdefined\b[ \t(]*)([A-Za-z_]\w*)[^\n]*\n"
+    r"(?P<own>(?:[ \t]*(?://[^\n]*)?\n)*[ \t]*(?:#|%:)[ \t]*(?:define|undef)[ \t]+\1\b[^\n]*\n(?:[ \t]*(?://[^\n]*)?\n)*[ \t]*(?:#|%:)[ \t]*endif\b)?",
     re.M,
 )
-#: A comment whose end is written over two lines; a line that goes on behind other white space than blanks; what is taken for an assembler's.
+#: A comment whose end is written over two lines; a line that goes on behind other white space than blanks, or by a trigraph; what is taken for an assembler's.
 _OVER_LINES = re.compile(r"\*(?:(?:\\|\?\?/)[ \t\f\v]*\r?\n[ \t\f\v]*)+/")
 _ODD_SPLICE = re.compile(r"(?:\\|\?\?/)[ \t]*[\f\v][ \t\f\v]*\r?\n")
+_TRIGRAPH_SPLICE = re.compile(r"\?\?/[ \t]*\r?\n")
+_TRIGRAPH = re.compile(r"\?\?[=/'()!<>-]")
 _ASSEMBLER = re.compile(r"(?<!\w)(?:_asm\b|__asm\s*\{)")
+#: Pragmas that change warnings, speed, threads and layouts; all others may change what a word stands for, or what is read (GCC, "Pragmas").
+_PRAGMA = re.compile(
+    r"^[ \t]*(?:#|%:)[ \t]*pragma\b([^\n]*)|(?<!\w)(?:_Pragma|__pragma)\s*\(\s*(?:L?\"((?:[^\"\\\n]|\\.)*)\"|([^\n]{0,200}))",
+    re.M,
+)
+_ANY_MACRO = re.compile(r"\b(?:push|pop)_macro\b")
+_USUAL_PRAGMA = re.compile(
+    r"\s*(?:once|(?:GCC|clang|gcc)\s+(?:diagnostic|system_header|visibility|optimize|target|ivdep|unroll|push_options|pop_options|reset_options|warning|error|loop|fp|attribute)\b"
+    r"|(?:omp|acc|warning|pack|region|endregion|unroll|nounroll|message|STDC|ident|comment|simd|ivdep|vector|novector|loop_count|prefetch|HLS|hls|hd_warning_disable|nv_\w+|diag_\w+"
+    r"|intel|optimize|float_control|fenv_access|fp_contract|mark|NOLINT\w*|nvtx|vtordisp|deprecated|inline_depth|inline_recursion|auto_inline|check_stack|hdrstop|managed|unmanaged|error|always_inline"
+    r"|arm|DATA_SECTION|CODE_SECTION|link|cling|ide|code_seg|data_seg|bss_seg|const_seg|section|init_seg|function|intrinsic|runtime_checks|strict_gs_check|pointers_to_members|component"
+    r"|clang_tidy|pylint|cppcheck|scalar_storage_order|no_inline|noinline|forceinline|distribute_point|parallel|block_loop|unused|weak)\b|\s*\Z)"
+)
+#: The number of a line that a directive sets, which tools are not given.
+_LINE = re.compile(r"^[ \t]*(?:#|%:)[ \t]*(?:line[ \t]+)?\d", re.M)
 _CALL = re.compile(r"\b([A-Z]\w{3,80})[ \t]*\(")
 _TOKEN = re.compile(r"\"(?:[^\"\\\n]|\\.)*\"|'(?:[^'\\\n]|\\.){1,12}'|[(){};]")
 #: What a decoration can mean without being code: attributes, words, other macros.
 _WORDS = re.compile(
     r"(?:\s|\w|\"C\"|\[\[[^\[\]{};]{0,200}\]\]|(?:__attribute__|__attribute|__declspec)\s*\((?:[^(){};]|\((?:[^(){};]|\([^(){};]{0,200}\)){0,200}\)){0,400}\)|__pragma\s*\([^{};]{0,200}\))*"
 )
-#: Macros that cppcheck is given without a meaning, those with arguments and all.
+_SPELLED = re.compile(rf"\b(?:{'|'.join(sorted(SPELLED))})\b")
+#: Macros that cppcheck is given without a meaning, those with arguments and all; and all that it is given whatever the code says.
 _WITH_ARGUMENTS = frozenset(name.partition("(")[0] for name in ros_macros.empty() if name.endswith("(...)"))
 _EMPTY = frozenset(name.partition("(")[0] for name in ros_macros.empty())
+_GIVEN = ros_macros.stand_ins()
+#: A name that may be a decoration or a registration by its form, and is no guard.
+_LIKE_ONE = re.compile(r"(?!\w*(?:_H|_HPP|_HH|_HXX|_INCLUDED|_VERSION\w*)_*\Z)[A-Z][A-Z0-9]*_[A-Z0-9_]*[A-Z0-9]")
 
 
 def notifications(head: Workspace, base: Workspace | None) -> tuple[Notification, ...]:
@@ -51,26 +76,30 @@ def notifications(head: Workspace, base: Workspace | None) -> tuple[Notification
     old = {file.path: file for file in base.files if file.language == "cpp"}
     there = {file.path for file in head.files}
     known = {file.digest for file in old.values()}
-    moved: set[str] | None = None
-    elsewhere: MacrosElsewhere | None = None
-    before_it: MacrosElsewhere | None = None
+    every = [file for file in head.files if file.language == "cpp"]
+    edited = [file for file in every if file.path not in old or old[file.path].digest != file.digest]
+    changed = [file for file in edited if file.path in old or file.digest not in known]
+    after, before = _Sight(head), _Sight(base)
+    if not edited and before.has_same_builds(after):
+        return ()
+    names = brought(after.elsewhere, before.elsewhere, edited, old)
+    users = pasted_names.pattern(names)
+    affected = [file for file in every if file not in changed and users and users.search(head.text(file.path))]
+    moved: set[Mark] | None = None
     found = []
-    for file in head.files:
-        if file.language != "cpp" or file.digest in known or not head.reports_on(file.path):
+    for file in (*changed, *affected):
+        if not head.reports_on(file.path):
             continue
-        elsewhere = elsewhere or MacrosElsewhere(head)
-        marks = list(dict.fromkeys(_marks(file, head, elsewhere)))
-        if marks and before_it is None:
-            before_it = MacrosElsewhere(base)
-            moved = {mark for path in old.keys() - there for mark in _marks(old[path], base, before_it)}
-        before = {*(moved or ())}
-        if before_it is not None and file.path in old:
-            before |= {*_marks(old[file.path], base, before_it)}
-        if new := [mark for mark in marks if mark not in before]:
+        marks = list(dict.fromkeys(after.marks(file)))
+        if marks and moved is None:
+            moved = {mark for path in old.keys() - there for mark in before.marks(old[path])}
+        known_marks = {*(moved or ()), *(before.marks(old[file.path]) if marks and file.path in old else ())}
+        if new := [words for words, meaning in marks if (words, meaning) not in known_marks]:
             more = f", and {len(new) - 1} more" if len(new) > 1 else ""
             found.append(
                 (file.path, f"since this change cppcheck is given {new[0]} in another way than the compiler{more}")
             )
+    found.sort()
     rest = len(found) - MOST_FILES
     text = f"{rest} more files have code that cppcheck is given in another way than the compiler"
     return (
@@ -79,9 +108,38 @@ def notifications(head: Workspace, base: Workspace | None) -> tuple[Notification
     )
 
 
-def _marks(file: SourceFile, workspace: Workspace, elsewhere: MacrosElsewhere) -> Iterator[str]:
-    yield from seen_otherwise(workspace.text(file.path))
-    yield from elsewhere.used(file)
+#: What is seen otherwise, in words, and what it stands for.
+Mark = tuple[str, str]
+
+
+class _Sight:
+    """How cppcheck sees the files of a *workspace*, and a compiler does not."""
+
+    def __init__(self, workspace: Workspace) -> None:
+        self._workspace = workspace
+        self.elsewhere = MacrosElsewhere(workspace)
+
+    def has_same_builds(self, other: _Sight) -> bool:
+        mine, yours = self.elsewhere, other.elsewhere
+        return not mine.templates and not yours.templates and mine.forced == yours.forced
+
+    def marks(self, file: SourceFile) -> Iterator[Mark]:
+        text = self._workspace.text(file.path)
+        yield from ((words, "") for words in seen_otherwise(text))
+        yield from ((words, "") for words in self._tested(text))
+        yield from ((words, "") for words in pasted_names.pasted(file, self._workspace, self.elsewhere))
+        yield from self.elsewhere.used(file)
+
+    def _tested(self, text: str) -> Iterator[str]:
+        """Conditions on names that cppcheck is given without a meaning, as the workspace uses them as decorations or registrations."""
+        if "if" not in text:
+            return
+        asked = {match[1] for match in _TESTED.finditer(_code(text)) if match["own"] is None}
+        for name in sorted(name for name in asked - _GIVEN if _LIKE_ONE.fullmatch(name)):
+            texts = (self._workspace.text(file.path) for file in self._workspace.files if file.language == "cpp")
+            marks = {mark for text in texts if name in text for mark in macro_scan.marks(text)}
+            if name in macro_scan.decorations(marks) or name in macro_scan.registrations(marks):
+                yield f"a condition on {name}, which it takes for nothing,"
 
 
 def seen_otherwise(text: str) -> Iterator[str]:
@@ -90,28 +148,48 @@ def seen_otherwise(text: str) -> Iterator[str]:
         yield "a comment whose end is written over two lines"
     if _ODD_SPLICE.search(text) is not None:
         yield "a line that goes on behind a form feed or vertical tab"
+    if "??" in text and (_TRIGRAPH_SPLICE.search(text) or _TRIGRAPH.search(without_comments(text, "c"))):
+        yield "a trigraph"
     if _ASSEMBLER.search(text) is not None:
         yield "the name _asm, which it takes for an assembler's block,"
-    if "#" not in text and "%:" not in text and not any(name in text for name in _WITH_ARGUMENTS):
+    if (
+        "ragma" not in text
+        and "#" not in text
+        and "%:" not in text
+        and not any(name in text for name in _WITH_ARGUMENTS)
+    ):
         return
     text = _code(text)
     yield from (f"'#include {_quoted(match[1])}'" for match in _COMPUTED.finditer(text))
-    guarded = {match[3] for match in _TESTED.finditer(text)}
+    yield from _pragmas(text)
+    if "__LINE__" in text and _LINE.search(text) is not None:
+        yield "the number of a line, which a directive sets,"
+    guarded = {match[1] for match in _TESTED.finditer(text)}
     for match in _DEFINED.finditer(text):
         name, arguments, meaning = match[1], match[2], match[3].strip()
-        if name not in guarded or not (name in _EMPTY or is_decoration(name)) or not meaning:
+        if name not in guarded or not (name in _GIVEN or is_decoration(name)) or not meaning:
             continue
-        if arguments or _WORDS.fullmatch(meaning[:_LONGEST]) is None:
-            yield f"the macro {name}, which it takes for nothing,"
+        is_given_one = name in _GIVEN and name not in _EMPTY
+        if is_given_one or arguments or _WORDS.fullmatch(meaning[:_LONGEST]) is None or _SPELLED.search(meaning):
+            yield f"the macro {name}, which it takes for {'another one' if is_given_one else 'nothing'},"
     for match in _TESTED.finditer(text):
-        if match[3] in _EMPTY and match[4] is None:
-            yield f"what is compiled where {match[3]} is not defined"
+        if match[1] in _GIVEN and match["own"] is None:
+            yield f"a condition on {match[1]}, which it is given,"
     done = 0
     for match in _CALL.finditer(text):
         if match[1] in _WITH_ARGUMENTS and match.start() >= done:
             has_code, done = _read(text, match.end())
             if has_code:
                 yield f"code in the arguments of {match[1]}"
+
+
+def _pragmas(text: str) -> Iterator[str]:
+    for match in _PRAGMA.finditer(text):
+        words = next(group for group in match.groups() if group is not None)
+        if not _USUAL_PRAGMA.match(words):
+            yield f"the pragma '{_quoted(words)}'"
+    if (found := _ANY_MACRO.search(text)) is not None:
+        yield f"the pragma {found[0]}"
 
 
 def _code(text: str) -> str:

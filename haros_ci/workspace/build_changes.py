@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from haros_ci.model.workspace import Problem, Workspace
 from haros_ci.workspace.build_steps import BuildStep, steps_not_followed
+from haros_ci.workspace.cmake_templates import as_cmake, cmake_templates
 from haros_ci.workspace.cut import cut
 
 #: Build types of packages whose build files are read; "" is catkin, or one that the manifest does not tell.
@@ -14,15 +15,16 @@ MOST = 20
 
 
 def brought_steps(head: Workspace, base: Workspace) -> tuple[tuple[Problem, ...], tuple[Problem, ...]]:
-    """What changed CMake files of *head* have, and no CMake file of *base* that is gone or has changed, in the same words: what is a finding, and what is a note."""
+    """What changed CMake files of *head*, and templates of some, have, and no CMake file of *base* that is gone or has changed, in the same words: what is a finding, and what is a note."""
     known = {file.digest for file in base.files if file.language == "cmake"}
     same = {(file.path, file.digest) for file in head.files if file.language == "cmake"}
     changed = [
-        file
+        file.path
         for file in head.files
         if file.language == "cmake" and file.digest not in known and not file.third_party and head.reports_on(file.path)
     ]
-    if not changed:
+    templates = [path for path in cmake_templates(head) if head.reports_on(path) and _differs(path, head, base)]
+    if not changed and not templates:
         return (), ()
     before = {
         step.words
@@ -30,16 +32,22 @@ def brought_steps(head: Workspace, base: Workspace) -> tuple[tuple[Problem, ...]
         if file.language == "cmake" and (file.path, file.digest) not in same
         for step in steps_not_followed(base.text(file.path))
     }
+    if templates:
+        texts = (base.text(path) for path in cmake_templates(base) if _differs(path, base, head))
+        before |= {step.words for text in texts for step in steps_not_followed(as_cmake(text))}
     names = {path.rpartition("/")[2] for path in head.names}
     found: list[Problem] = []
     notes: list[Problem] = []
-    for file in changed:
-        steps = [
-            step for step in steps_not_followed(head.text(file.path), names.__contains__) if step.words not in before
-        ]
-        found += cut((_problem(file.path, step) for step in steps if not step.is_usual), MOST)
-        notes += (_problem(file.path, step) for step in steps if step.is_usual)
+    for path in (*changed, *templates):
+        text = as_cmake(head.text(path)) if path in templates else head.text(path)
+        steps = [step for step in steps_not_followed(text, names.__contains__) if step.words not in before]
+        found += cut((_problem(path, step) for step in steps if not step.is_usual), MOST)
+        notes += (_problem(path, step) for step in steps if step.is_usual)
     return tuple(found), cut(notes, MOST)
+
+
+def _differs(path: str, here: Workspace, there: Workspace) -> bool:
+    return path not in there.names or here.text(path) != there.text(path)
 
 
 def brought_builders(head: Workspace, base: Workspace) -> tuple[Problem, ...]:

@@ -6,12 +6,15 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-_REFERENCE = r"\$\{[\w./+-]{1,100}\}"
-_PATH = rf"(?:[\w./+~:\"\\-]|{_REFERENCE})"
+from haros_ci.workspace.build_definitions import REFERENCE, odd_definitions, odd_flag, put_together
+
+_PATH = rf"(?:[\w./+~:\"\\-]|{REFERENCE})"
+#: What the code is written in, or which of its words are keywords, is not for a flag to say: linters read UTF-8, and C++ as it is by default.
+_READS_OTHERWISE = r"(?:input-charset=(?!(?i:utf-?8)\Z)|directives-only|(?:no-)?operator-names|(?:no-)?asm\Z|(?:no-)?gnu-keywords|no-char8|traditional)"
 #: What a flag may be. A word without a dash is a name, a path or a keyword; behind a flag that is not here it is named with that.
 _HARMLESS = re.compile(
-    rf"-W(?![pa],)[\w=+#,./:${{}}-]*|-O\w*|-g[\w-]*|-g\w+=\w+|-std=(?:[\w+]|{_REFERENCE})+|-pedantic(?:-errors)?|-pg|-pipe|-pthreads?|-ansi|-rdynamic|-pie|-diag[\w-]*|-static[\w+-]*|-shared|-coverage|--coverage"
-    rf"|-f(?!plugin|module|include|preprocess)[\w+-]+(?:=[\w.,+-]*)?|-f\w+-prefix-map=\S*|-m[\w.+-]+(?:=[\w.,+${{}}-]+)?|-l\S*|-L\S*|-I{_PATH}*|-isystem{_PATH}*|-iquote{_PATH}*|-D[\w.+-]*(?:=(?:{_PATH}|[,@*])*)?|-U\w*|-[AC-WYZac-wyz]|-undefined|-Qunused-arguments"
+    rf"-W(?![pa],)[\w=+#,./:${{}}-]*|-O\w*|-g[\w-]*|-g\w+=\w+|-std=(?:[\w+]|{REFERENCE})+|-pedantic(?:-errors)?|-pg|-pipe|-pthreads?|-ansi|-rdynamic|-pie|-diag[\w-]*|-static[\w+-]*|-shared|-coverage|--coverage"
+    rf"|-f(?!plugin|module|include|preprocess|{_READS_OTHERWISE})[\w+-]+(?:=[\w.,+-]*)?|-f\w+-prefix-map=\S*|-m[\w.+-]+(?:=[\w.,+${{}}-]+)?|-l\S*|-L\S*|-I{_PATH}*|-isystem{_PATH}*|-iquote{_PATH}*|-D[\w.+-]*(?:=(?:{_PATH}|[,@*])*)?|-U\w*|-[AC-WYZac-wyz]|-undefined|-Qunused-arguments"
     rf"|-no-?\w+|--?param=?\S*|-arch|-framework|-Xlinker|-rpath\S*|-Bstatic|-Bdynamic|-gencode\S*|--?expt-[\w-]+|-std|--compiler-options|-Xcompiler\S*|-dev|/(?!FI|Y|clang)[A-Z]\S*|--",
     re.DOTALL,
 )
@@ -27,23 +30,30 @@ _IN_GENEX = re.compile(r"[\s;:<>$]+|,(?=\$|>|-)")
 
 def odd_flags(text: str, *, are_definitions: bool = False) -> Iterator[str]:
     """The words of an argument that may be flags and are not known to be harmless; *are_definitions* says that words without a dash define macros."""
+    if are_definitions:
+        odd = next(odd_definitions(text), "")
+        if odd or ("=" in text and "$<" not in text and not _has_plain_values(text)):
+            yield odd or text
+            return
     if "$<" in text:
-        text = re.sub(_REFERENCE, "x", text)
-        yield from (word for word in _IN_GENEX.split(text) if word.startswith(("-", "@")) and not _is_harmless(word))
-        return
-    if are_definitions and "=" in text and not _has_plain_values(text):
-        yield text
+        if put_together(text):
+            yield text
+            return
+        text = re.sub(REFERENCE, "X", text)
+        words = [word for word in _IN_GENEX.split(text) if word.startswith(("-", "@"))]
+        yield from (word for word in words if not _is_harmless(word) or odd_flag(word))
         return
     words = [word.removeprefix("SHELL:") for word in _BETWEEN.split(text) if word]
     for word, after in zip(words, [*words[1:], ""], strict=True):
         is_odd = word.startswith(("-", "@", "/FI", "/Y")) and not _is_harmless(word) and not _OTHER.fullmatch(word)
+        is_odd |= odd_flag(f"-D{after}" if word == "-D" else word)
         if is_odd or text == "-":
             yield f"{word} {after}".strip()
 
 
 def _has_plain_values(text: str) -> bool:
     """Whether what *text* gives macros are numbers, names, paths and texts."""
-    return all(_PLAIN.fullmatch(part) for part in re.sub(_REFERENCE, "x", text).split(";"))
+    return all(_PLAIN.fullmatch(part) for part in re.sub(REFERENCE, "x", text).split(";"))
 
 
 def _is_harmless(word: str) -> bool:

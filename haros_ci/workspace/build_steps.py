@@ -11,6 +11,7 @@ import re
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
+from haros_ci.workspace.build_definitions import is_macro_name, renamings
 from haros_ci.workspace.build_flags import odd_flags
 from haros_ci.workspace.cmake_parse import CMakeArgument, ParsedCommand, parse_cmake
 from haros_ci.workspace.language import language_of, suffix_of
@@ -26,7 +27,7 @@ _HARMLESS = frozenset(
     get_property get_target_property get_directory_property get_source_file_property get_cmake_property get_filename_component get_test_property
     cmake_parse_arguments cmake_path site_name separate_arguments include_regular_expression find_dependency source_group export
     ament_package ament_export_dependencies ament_export_targets ament_export_libraries ament_export_interfaces ament_export_include_directories
-    ament_export_definitions ament_export_link_flags ament_target_dependencies ament_lint_auto_find_test_dependencies ament_auto_find_build_dependencies
+    ament_export_link_flags ament_target_dependencies ament_lint_auto_find_test_dependencies ament_auto_find_build_dependencies
     ament_auto_find_test_dependencies ament_index_register_resource ament_environment_hooks catkin_package catkin_metapackage catkin_python_setup catkin_workspace
     pluginlib_export_plugin_description_file rclcpp_components_register_node rclcpp_components_register_nodes rosidl_get_typesupport_target add_dependencies
     ament_cppcheck ament_cpplint ament_uncrustify ament_flake8 ament_pep257 ament_copyright ament_xmllint ament_lint_cmake ament_pycodestyle ament_clang_format
@@ -41,7 +42,17 @@ _SETTING = frozenset(
     "cmake_parse_arguments cmake_path separate_arguments get_filename_component foreach option site_name get_property get_target_property get_directory_property"
     " get_source_file_property get_cmake_property find_program find_file find_path find_library".split()
 )
-_OWN = re.compile(r"CMAKE(?:_\w*)?|ENV\{.*", re.DOTALL)
+_OWN = re.compile(r"CMAKE(?:_\w*)?|ENV\{.*|PKG_CONFIG_(?:EXECUTABLE|ARGN)", re.DOTALL)
+#: Commands whose arguments are definitions, which are looked at as such.
+_DEFINING = frozenset(
+    "add_definitions remove_definitions target_compile_definitions add_compile_definitions ament_export_definitions".split()
+)
+#: Options of generate_export_header() that are given the name of a macro ("GenerateExportHeader").
+_NAMES_MACRO = re.compile(r"\w+_MACRO_NAME|STATIC_DEFINE|DEFINE_NO_DEPRECATED|INCLUDE_GUARD_NAME")
+#: Properties that hold definitions, and programs that CMake's modules ask for flags and files.
+_DEFINITIONS_OF = re.compile(r"(?:INTERFACE_)?COMPILE_DEFINITIONS(?:_\w+)?")
+_PROGRAM = re.compile(r"PKG_CONFIG_(?:EXECUTABLE|ARGN)|\w+_EXECUTABLE")
+_OF_SOURCES = re.compile(r"\$\{\w*(?:SOURCE_DIR|CURRENT_LIST_DIR)\}|\.\.?/")
 #: Commands that name sources; what stands there in another form than a path may be any file.
 _SOURCES = frozenset(
     "add_executable add_library target_sources set_source_files_properties target_precompile_headers".split()
@@ -73,7 +84,8 @@ _VARIABLES = re.compile(
     r"|\w*RPATH\w*|\w+_LINKER_FLAGS\w*|CONFIGURATION_TYPES|POLICY_\w+|MACOSX_RPATH|OSX_\w+|VERBOSE_MAKEFILE|COLOR_\w+|SUPPRESS_\w+|WARN_\w+|THREAD_PREFER_PTHREAD|DEBUG_POSTFIX|\w+_POSTFIX|REQUIRED_\w+"
     r"|INTERPROCEDURAL_OPTIMIZATION\w*|SKIP_\w+|LINK_\w+|USE_RELATIVE_PATHS|CROSSCOMPILING|LIBRARY_OUTPUT_PATH|PROJECT_(?:NAME|VERSION\w*)|CURRENT_\w+|(?:SOURCE|BINARY)_DIR|ENABLE_EXPORTS|STRIP|ALLOW_LOOSE_LOOP_CONSTRUCTS|NO_SYSTEM_FROM_IMPORTED|SWIG_\w+|SYSTEM_\w+|TRY_COMPILE_\w+|USE_PTHREADS_INIT|HAVE_\w+|THREAD_\w+|OBJDUMP|\w+_PLATFORM|ABSOLUTE_DESTINATION_FILES)"
 )
-_VARIABLE = re.compile(r"\$\{[\w./+-]{1,100}\}")
+_KEEPING = frozenset(("set", "list", "string"))
+_SCOPES = frozenset(("PUBLIC", "PRIVATE", "INTERFACE", "BEFORE"))
 #: What a package that was found offers (cmake-developer(7)).
 _USE_FILE = re.compile(r"\$\{\w{1,100}_USE_FILE\}")
 #: Generator expressions that stand for what a target makes, or for the path that they hold.
@@ -111,7 +123,7 @@ def steps_not_followed(text: str, is_file: Callable[[str], bool] = lambda _: Fal
     pending = list(reversed(script.commands))
     while pending:
         command = pending.pop()
-        is_usual = command.name in _RUNNING or command.name == "file"
+        is_usual = command.name in _RUNNING or command.name in ("file", "configure_file")
         found += (BuildStep(command.line, _quoted(command, odd), is_usual) for odd in _odd(command, is_file))
         for opener, body in reversed(command.branches):
             pending += reversed(body)
@@ -123,6 +135,9 @@ def steps_not_followed(text: str, is_file: Callable[[str], bool] = lambda _: Fal
 def _odd(command: ParsedCommand, is_file: Callable[[str], bool]) -> Iterator[str]:
     """The arguments of *command* that are not known to be harmless; all of them, for a command that is not."""
     name, arguments = command.name, command.arguments
+    if name not in _DEFINING and name != "message":
+        texts = [argument.text for argument in arguments if not argument.is_literal]
+        yield from renamings(texts, are_kept=name in _KEEPING)
     if name in _HARMLESS:
         yield from _given(name, [argument.text for argument in arguments])
         return
@@ -142,6 +157,8 @@ def _given(name: str, words: list[str]) -> Iterator[str]:
             word for word in words if _READS.match(word) or (_OWN.fullmatch(word) and not _is_usual_variable(word))
         )
     elif name == "generate_export_header":
+        named = {after: word for word, after in zip(words, words[1:], strict=False) if _NAMES_MACRO.fullmatch(word)}
+        yield from (f"{word} {after}" for after, word in named.items() if not is_macro_name(after))
         yield from (word for word in words if word == "CUSTOM_CONTENT_FROM_VARIABLE")
     elif name == "configure_package_config_file":
         yield from (word for word in words[1:2] if language_of(_name(word)) in ("cpp", "python"))
@@ -177,12 +194,20 @@ def _flags(arguments: Iterable[CMakeArgument], _: Callable[[str], bool]) -> Iter
 
 def _definitions(arguments: Iterable[CMakeArgument], _: Callable[[str], bool]) -> Iterator[str]:
     for argument in arguments:
+        if argument.text in _SCOPES:
+            continue
         yield from odd_flags(argument.text, are_definitions=True)
+
+
+def _target_definitions(arguments: tuple[CMakeArgument, ...], is_file: Callable[[str], bool]) -> Iterator[str]:
+    yield from _definitions(arguments[1:], is_file)
 
 
 def _set(arguments: tuple[CMakeArgument, ...], is_file: Callable[[str], bool]) -> Iterator[str]:
     name = arguments[0].text if arguments else ""
-    if name.startswith(("CMAKE_", "ENV{")) and not _VARIABLES.fullmatch(name) and len(arguments) > 1:
+    is_odd = name.startswith(("CMAKE_", "ENV{")) and not _VARIABLES.fullmatch(name)
+    is_odd |= _PROGRAM.fullmatch(name) is not None and any(_OF_SOURCES.search(value.text) for value in arguments[1:])
+    if is_odd and len(arguments) > 1:
         yield " ".join(argument.text for argument in arguments)
     else:
         values = [argument for argument in arguments[1:] if "-" in argument.text or "@" in argument.text]
@@ -204,12 +229,19 @@ def _properties(arguments: tuple[CMakeArgument, ...], is_file: Callable[[str], b
     words = [argument.text for argument in arguments]
     if "PROPERTIES" in words:
         at = words.index("PROPERTIES") + 1
-        pairs = zip(words[at::2], words[at + 1 :: 2], strict=False)
-        yield from (f"{name} {value}" for name, value in pairs if not _is_usual_property(name, value))
+        pairs = list(zip(words[at::2], words[at + 1 :: 2], strict=False))
     elif "PROPERTY" in words:
         at = words.index("PROPERTY") + 1
-        if at < len(words) and not _is_usual_property(words[at], " ".join(words[at + 1 :])):
-            yield " ".join(words[at:])
+        pairs = [(words[at], ";".join(words[at + 1 :]))] if at < len(words) else []
+    else:
+        pairs = []
+    for name, value in pairs:
+        if not _is_usual_property(name, value):
+            yield f"{name} {value}"
+        elif _DEFINITIONS_OF.fullmatch(name):
+            yield from odd_flags(value, are_definitions=True)
+        elif "$<" in value:
+            yield from odd_flags(value)
     yield from _flags((argument for argument in arguments if argument.text.startswith(("-", "@"))), is_file)
 
 
@@ -245,6 +277,15 @@ def _name(word: str) -> str:
     return word.rpartition("/")[2]
 
 
+def _configured(arguments: tuple[CMakeArgument, ...], _: Callable[[str], bool]) -> Iterator[str]:
+    """A template that nobody finds by its name, of what may be CMake or code."""
+    source, target = ([_name(argument.text) for argument in arguments] + ["", ""])[:2]
+    if target.endswith(".pc") and ".pc" not in source:
+        yield f"{source} {target}"
+    elif "$" in source.removesuffix("}") and ("$" in target or language_of(target) in ("cmake", "cpp", "python")):
+        yield f"{source} {target}"
+
+
 def _file(arguments: tuple[CMakeArgument, ...], _: Callable[[str], bool]) -> Iterator[str]:
     words = [argument.text for argument in arguments]
     what = words[0].upper() if words else ""
@@ -272,6 +313,7 @@ _BY_NAME: Mapping[str, Callable[[tuple[CMakeArgument, ...], Callable[[str], bool
     "include": _include,
     "install": _install,
     "file": _file,
+    "configure_file": _configured,
     "target_precompile_headers": _headers,
     "function": _defined,
     "macro": _defined,
@@ -291,9 +333,8 @@ _BY_NAME: Mapping[str, Callable[[tuple[CMakeArgument, ...], Callable[[str], bool
         _flags,
     ),
     **dict.fromkeys(("target_compile_options", "add_compile_options"), _options),
-    **dict.fromkeys(
-        ("add_definitions", "remove_definitions", "target_compile_definitions", "add_compile_definitions"), _definitions
-    ),
+    **dict.fromkeys(_DEFINING, _definitions),
+    "target_compile_definitions": _target_definitions,
 }
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Flags of compilers in files that no reader here looks at: presets of CMake, settings of colcon, Dockerfiles.
+"""Flags of compilers in files that no reader here looks at: presets of CMake, settings of colcon, Dockerfiles, packages of pkg-config.
 
 By ``-include part.txt`` or ``-DX`` there, code is compiled that nothing has analysed.
 """
@@ -8,11 +8,20 @@ from __future__ import annotations
 
 import re
 
+from haros_ci.workspace.build_flags import odd_flags
+
 #: CMake's presets and what they include ("cmake-presets(7)"); colcon's packages, metadata and defaults (colcon.readthedocs.io, "Configuration").
 _NAMES = re.compile(
     r"CMake\w*Presets\.json|.*presets?\.json|colcon\.pkg|.*\.meta|defaults\.ya?ml|.*colcon.*\.ya?ml|Dockerfile(?:\..*)?|.*\.[Dd]ockerfile",
     re.I,
 )
+#: What pkg-config reads (pc(5)), as it is or as a template; each line has a value behind a name.
+_PACKAGE = re.compile(r".*\.pc(?:\.(?:in|cmake|em))?", re.I)
+_VALUES = re.compile(
+    r"^[ \t]*(?!(?:Name|Description|URL|Version|Requires|Conflicts)\b)[\w.]+[ \t]*[:=]((?:[^\n\\]|\\\r?\n|\\.){0,4000})",
+    re.M,
+)
+_PLACE = re.compile(r"@\w{1,100}@")
 #: Variables and options that change what is compiled.
 _FLAGS = re.compile(
     r"(?<![A-Za-z0-9])CMAKE_(?:[A-Z]{1,8}_FLAGS|PROJECT_\w{0,80}INCLUDE|TOOLCHAIN_FILE|[A-Z]{1,8}_COMPILER_LAUNCHER)|(?<![A-Za-z0-9])(?:CPP|CXX|C)FLAGS\b"
@@ -24,9 +33,13 @@ _FLAGS = re.compile(
 
 def may_have_flags(name: str) -> bool:
     """Whether a file called *name*, without directories, may tell a compiler what to compile, and nothing reads it."""
-    return _NAMES.fullmatch(name) is not None
+    return _NAMES.fullmatch(name) is not None or _PACKAGE.fullmatch(name) is not None
 
 
-def has_flags(text: str) -> bool:
-    """Whether *text* sets flags or definitions for a compiler; of variables of CMake only those that hold some."""
+def has_flags(name: str, text: str) -> bool:
+    """Whether *text* of a file called *name* sets flags or definitions for a compiler; of variables of CMake only those that hold some, of a package's flags only those that are not known to be harmless."""
+    if _PACKAGE.fullmatch(name):
+        text = _PLACE.sub("X", text)
+        values = (value.replace("\\\n", " ").replace("\\\r\n", " ") for value in _VALUES.findall(text))
+        return any(word for value in values for word in odd_flags(value))
     return _FLAGS.search(text) is not None

@@ -70,4 +70,4 @@ def _has_flags(path: str, tree: FileTree) -> bool:
         return True
     except OSError:
         return False
-    return data is not None and has_flags(decode(data))
+    return data is not None and has_flags(path.rpartition("/")[2], decode(data))

@@ -10,6 +10,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Collection, Iterable, Iterator
 from fnmatch import fnmatchcase
+from functools import cached_property
 
 from haros_ci.model.package import SourceFile
 from haros_ci.model.python_names import as_python_reads
@@ -28,6 +29,7 @@ from haros_ci.workspace.used_names import (
     included,
     named,
     of_extensions,
+    of_form,
     perhaps_included,
     programs,
     taken,
@@ -114,6 +116,8 @@ class UsedCode:
             return f"it is {suffix}, which is not analysed"
         if suffix_of(name) == "pth" and "\0" not in text and _RUN_AT_START.search(text):
             return "Python runs the lines of a .pth file that begin with import, when it starts"
+        if name in self._in_forms:
+            return "a form of Qt has C++ include it, and no C++ file is called so"
         if name in self._of("cpp", included) or (_may_be_cpp(text, language) and self._is_perhaps_included(name)):
             return "C++ includes it, and no C++ file is called so"
         return self._why_built(path, name, text, language) or self._why_run(name, text, language)
@@ -279,6 +283,13 @@ class UsedCode:
             found = (name for text in texts for name in find(text))
             self._names[key] = frozenset(name.rpartition("/")[2] for name in found)
         return self._names[key]
+
+    @cached_property
+    def _in_forms(self) -> frozenset[str]:
+        """The names of what forms of Qt have the code that is made of them include."""
+        forms = sorted(path for path in self._workspace.names if path.endswith(".ui"))
+        found = (name for path in forms for name in of_form(self._workspace.text(path)))
+        return frozenset(name.rpartition("/")[2] for name in found)
 
     def _given(self) -> frozenset[str]:
         return frozenset(

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import html
 import re
 from collections.abc import Iterable, Iterator
 
@@ -39,6 +40,10 @@ _IDLE = frozenset(
     "install message project ament_export_include_directories include_directories set_directory_properties".split()
 )
 _WORD = re.compile(r"[^\s\"';()]{1,1000}")
+#: The headers that a form of Qt names (doc.qt.io, "UI File Format"), entities of XML in their names, too.
+_OF_FORM = re.compile(
+    r"<(?:header|include)\b[^<>]{0,400}>\s*([^<>]{1,400}?)\s*<|<include\s[^<>]{0,400}location=\"([^\"<>]{1,400})\""
+)
 #: What has C++ compiled for Python.
 _EXTENSIONS = re.compile(r"\b(?:Extension|ext_modules|extra_compile_args|Pybind11Extension)\b")
 
@@ -73,6 +78,11 @@ def named(text: str) -> Iterable[str]:
 def of_extensions(text: str) -> Iterable[str]:
     """What a setup.py names that has extensions compiled."""
     return STRING.findall(text) if _EXTENSIONS.search(text) else ()
+
+
+def of_form(text: str) -> Iterator[str]:
+    for pair in _OF_FORM.findall(text):
+        yield from (html.unescape(name) for name in pair if name)
 
 
 def filled(text: str) -> Iterator[str]:

@@ -190,6 +190,37 @@ def test_it_is_no_finding(case: Quiet, trap: Trap) -> None:
     assert outcome.says(case.says) if case.says else outcome.notes() == [], outcome.notes()
 
 
+OF_BUILDS = [
+    Case(
+        "a definition that renames a word",
+        lambda t: t.write("CMakeLists.txt", "project(a)\nadd_definitions(-Dkept=local)\n"),
+        "kept=local",
+        "CMakeLists.txt",
+    ),
+    Case(
+        "a template of CMake",
+        lambda t: t.write("cfg/a.cmake.in", "add_compile_options(-include part.glsl)\n"),
+        "add_compile_options(… -include",
+        "cfg/a.cmake.in",
+    ),
+    Case(
+        "a header of a form",
+        lambda t: [t.write("src/f.ui", "<ui><header>part.glsl</header></ui>\n"), t.write("src/part.glsl", TEXT)],
+        "a form of Qt has C++ include it",
+        "src/part.glsl",
+    ),
+]
+
+
+@pytest.mark.parametrize("case", OF_BUILDS, ids=lambda case: case.name)
+def test_what_a_build_is_told_is_a_finding(case: Case, trap: Trap) -> None:
+    pull_request(trap, case.base, case.head)
+    outcome = trap.run("--baseline-rev=main", *QUICK)
+    assert outcome.code == 1, (outcome.stderr, outcome.notes())
+    assert [case.says in message for path, _, _, message in told(outcome) if path == case.path] == [True]
+    assert_harmless(trap, outcome)
+
+
 def test_a_given_file_is_reported_and_others_are_not(trap: Trap) -> None:
     pull_request(trap, lambda t: None, lambda t: [t.write(A, LONG), t.write("src/b.cpp", LONG)])
     done = trap.start("check", A, "--baseline-rev=main", *QUICK).stdout.decode()

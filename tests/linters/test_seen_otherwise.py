@@ -35,7 +35,37 @@ SEEN |= {
     "int & _asm() { int a = 1; return a; }\n": "_asm",
     "void f() { __asm { nop } }\n": "_asm",
 }
+SEEN |= {
+    '#define GIVE a\n#pragma push_macro("GIVE")\n#undef GIVE\n': "push_macro",
+    '_Pragma("pop_macro(\\"GIVE\\")")\n': "pop_macro",
+    "#define DO(x) _Pragma(#x)\nDO(pop_macro(GIVE))\n": "the pragma '#x",
+    "%:pragma redefine_extname a b\n": "redefine_extname",
+    f"#pragma asm\n{CODE}\n#pragma endasm\n": "the pragma 'asm'",
+    f"// why??/\n{CODE}\n": "a trigraph",
+    f"// why??/ \r\n{CODE}\n": "a trigraph",
+    "??=define GIVE a\n": "a trigraph",
+    'const char * a = "??/"; static ";\n': "a trigraph",
+    "#line 1\nint a = CAT(give_, __LINE__);\n": "the number of a line",
+    '# 7 "a.cpp"\nint a = __LINE__;\n': "the number of a line",
+    "#ifdef ROS_DEPRECATED\n#define GIVE a\n#else\n#define GIVE b\n#endif\n": "a condition on ROS_DEPRECATED",
+    "#ifndef RCLCPP_DISABLE_COPY\n#define GIVE a\n#endif\n": "a condition on RCLCPP_DISABLE_COPY",
+    "#if X && defined(Py_RETURN_NONE)\nint a;\n#endif\n": "a condition on Py_RETURN_NONE",
+    "#ifndef PCL_EXPORTS\n#define PCL_EXPORTS\n#define GIVE a\n#endif\n": "a condition on PCL_EXPORTS",
+    "#ifndef Py_RETURN_NONE\n#define Py_RETURN_NONE return local\n#endif\n": "the macro Py_RETURN_NONE",
+    "#ifndef ROS_DEPRECATED\n#define ROS_DEPRECATED not\n#endif\n": "the macro ROS_DEPRECATED",
+}
 QUIET = [
+    '#pragma once\n#pragma GCC diagnostic push\n#pragma GCC diagnostic ignored "-Wall"\n#pragma omp parallel for\n#pragma pack(push, 1)\n',
+    "#pragma warning(disable : 4996)\n#  pragma GCC visibility push(default)\n#pragma clang diagnostic pop\n#pragma\n",
+    '_Pragma("GCC diagnostic push") __pragma(warning(push))\n',
+    "// #pragma push_macro\n/*\n#pragma push_macro\n*/\n",
+    "// why??! what??) http://a/??/b\n/* ??/ */\nint a = b ? c : d;\n",
+    "#line 7\nint a;\n",
+    "int a = __LINE__;\n",
+    "#ifndef ROS_DEPRECATED\n// none\n#define ROS_DEPRECATED  \n\n#endif\n",
+    "#ifdef ROS_DEPRECATED\n#undef ROS_DEPRECATED\n#endif\n",
+    "#ifdef RCLCPP_VERSION_GTE\n#if RCLCPP_VERSION_GTE(28, 0, 0)\nint a;\n#endif\n#endif\n",
+    "#ifdef __linux__\n#define GIVE a\n#else\n#define GIVE b\n#endif\n",
     "/* one * \\\n / two */\n/**\n * text \\\n */\n",
     "#define A(x) \\\n  (x * \\\n  /2)\n\f\nint a;\n",
     'void f() { __asm__ volatile("nop"); asm("nop"); __asm("nop"); int my_asm = 1; f._asm_; }\n',
@@ -90,6 +120,25 @@ def test_only_what_a_change_brings_is_noted(tmp_path: Path) -> None:
     new = {"same.cpp": use, "edited.cpp": f"{use}int a;\n", "more.cpp": use + other, "there.cpp": f"{use}int b;\n"}
     new |= {"plain.cpp": other, "new.cpp": f"{other}int c;\n", "part.py": use}
     assert noted(old, new, tmp_path) == ["more.cpp", "new.cpp", "plain.cpp"]
+
+
+USED = "ARM_PUBLIC int f();\n"
+ASKED = "#ifdef ARM_PUBLIC\n#define GIVE a\n#else\n#define GIVE b\n#endif\n"
+
+
+@pytest.mark.parametrize(
+    ("text", "is_noted"),
+    [
+        (ASKED, True),
+        (ASKED.replace("PUBLIC", "OTHER"), False),
+        ("#ifndef ARM_PUBLIC\n#define ARM_PUBLIC\n#endif\n", False),
+        ("#ifndef ARM_PUBLIC_HPP_\n#define ARM_PUBLIC_HPP_\nint a;\n#endif\n", False),
+        ("int a;\n", False),
+    ],
+)
+def test_conditions_on_what_the_workspace_uses_as_a_decoration(tmp_path: Path, text: str, is_noted: bool) -> None:
+    old = {"used.hpp": USED, "a.cpp": "int b;\n"}
+    assert noted(old, old | {"a.cpp": text}, tmp_path) == (["a.cpp"] if is_noted else [])
 
 
 def test_without_a_base_nothing_is_noted(tmp_path: Path) -> None:

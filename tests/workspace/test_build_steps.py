@@ -81,6 +81,52 @@ FOLLOWED_BY_NOBODY = [
     "if(A)\nelse()\n  include(part.txt)\nendif()",
     "foreach(A B)\n  function(b)\n    include(part.txt)\n  endfunction()\nendforeach()",
 ]
+#: These make another word of what analysed code says, or have it read in another way.
+FOLLOWED_BY_NOBODY += [
+    "target_compile_definitions(a PRIVATE kept=local)",
+    "target_compile_definitions(a PRIVATE static=)",
+    "target_compile_definitions(a PRIVATE filled=nullptr)",
+    "target_compile_definitions(a PRIVATE kept=0)",
+    "target_compile_definitions(a PRIVATE kept)",
+    "target_compile_definitions(a PRIVATE KEPT=local)",
+    "target_compile_definitions(a PRIVATE Kept=Local)",
+    "target_compile_definitions(a PRIVATE ${K}=${L})",
+    "target_compile_definitions(a PRIVATE $<1:kept=local>)",
+    "target_compile_definitions(a PRIVATE KEPT=$<1:local>)",
+    "target_compile_definitions(a PRIVATE A;kept=local)",
+    "add_definitions(-Dkept=local)",
+    "add_definitions(-DA -D kept=local)",
+    'add_definitions("-DA=1 -Dkept=local")',
+    "add_compile_definitions(kept=local)",
+    "ament_export_definitions(kept=local)",
+    "add_compile_options(-Dkept=local)",
+    "add_compile_options(-D kept=local)",
+    "add_compile_options($<$<CONFIG:Debug>:-Dkept=local>)",
+    'set(CMAKE_CXX_FLAGS "${CMAKE_CXX_FLAGS} -Wall -Dkept=local")',
+    "set_source_files_properties(src/a.cpp PROPERTIES COMPILE_DEFINITIONS kept=local)",
+    "set_property(TARGET a APPEND PROPERTY COMPILE_DEFINITIONS A kept=local)",
+    "set_property(SOURCE a.cpp PROPERTY COMPILE_FLAGS -Dkept=local)",
+    "set(MODE kept=local)",
+    'set(MODE "A=1;static=")',
+    "list(APPEND MODE kept=local)",
+    "define_more(a kept=local)",
+    "set(MODE KEPT=local)",
+    "option(MODE kept=local ON)",
+    "foreach(mode kept=local)\nendforeach()",
+    "add_compile_options(-DKEPT$<1:=local>)",
+    "add_compile_options(-DKEPT=$<1:local>)",
+    "target_compile_definitions(a PRIVATE KEPT${SIGN}local)",
+    "set_target_properties(a PROPERTIES COMPILE_OPTIONS $<1:-Dkept=local>)",
+    "set_target_properties(a PROPERTIES INTERFACE_COMPILE_DEFINITIONS kept=local)",
+    "generate_export_header(a NO_EXPORT_MACRO_NAME static)",
+    "generate_export_header(a EXPORT_MACRO_NAME ${WORD})",
+    "add_compile_options(-finput-charset=UTF-7)",
+    "add_compile_options(-fno-operator-names)",
+    "add_compile_options(-trigraphs)",
+    "set(PKG_CONFIG_EXECUTABLE ${CMAKE_CURRENT_SOURCE_DIR}/cfg/query.sh)",
+    "find_program(PKG_CONFIG_EXECUTABLE query.sh PATHS cfg)",
+    "set(Python3_EXECUTABLE ${PROJECT_SOURCE_DIR}/scripts/run.py)",
+]
 #: Many packages do so: it is noted.
 USUAL = [
     "execute_process(COMMAND git describe OUTPUT_VARIABLE V)",
@@ -174,6 +220,21 @@ cmake_parse_arguments(ARG "A" "B" "C" ${ARGN})
 separate_arguments(WORDS UNIX_COMMAND "${WORDS}")
 find_program(CCACHE ccache)
 generate_export_header(a EXPORT_FILE_NAME include/a/export.hpp)
+generate_export_header(a EXPORT_MACRO_NAME ${PROJECT_NAME}_EXPORT STATIC_DEFINE A_STATIC BASE_NAME a)
+add_definitions(-DSTM32F407xx -Dfoo_EXPORTS -D_GNU_SOURCE -DEIGEN_USE_BLAS -DPy_DEBUG -DUSE=ON -DBUILD=true -DNAME=${NAME} /wd4800)
+add_definitions(${DEFINITIONS} -DA= "-DB=\\"a b=c\\"" -DPATH_TO="${HERE}/a" -DVERSION=1.2.3-rc1)
+target_compile_definitions(b PUBLIC $<$<CONFIG:Debug>:CHECKED=1> "$<BUILD_INTERFACE:WHERE=\\"${HERE}\\">")
+set_target_properties(a PROPERTIES COMPILE_DEFINITIONS "A=1;B=\\"c\\"" DEFINE_SYMBOL A_BUILDING)
+add_compile_options(-finput-charset=UTF-8 -finput-charset=utf8 -fno-exceptions -fexec-charset=UTF-8)
+target_compile_definitions(b PUBLIC LIB_${NAME} ${PROJECT_NAME}_EXPORTS A_${B}_C)
+add_compile_options(-DCHECKED=$<BOOL:${CHECKED}> $<$<CONFIG:Debug>:-DDEBUG=1>)
+set_target_properties(a PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Debug>:-O0>")
+ament_add_test(test_b ENV RMW_IMPLEMENTATION=rmw_a A=b)
+set(ENVIRONMENT "PYTHONPATH=${HERE};A=B" ROS_DOMAIN_ID=3 name:=value a==b --arg=value)
+set(PYTHON_EXECUTABLE /usr/bin/python3)
+set(PYTHON_EXECUTABLE ${Python3_EXECUTABLE})
+message(STATUS kept=local)
+add_launch_test(test/b.py ARGS "name:=a" rate=3)
 configure_package_config_file(cfg/aConfig.cmake.in ${CMAKE_CURRENT_BINARY_DIR}/aConfig.cmake INSTALL_DESTINATION share)
 """
 

@@ -8,8 +8,27 @@ import pytest
 from haros_ci.workspace.compiler_flags import has_flags, may_have_flags
 
 NAMES = ["CMakePresets.json", "CMakeUserPresets.json", "arm-presets.json", "colcon.pkg", "a.meta", "defaults.yaml"]
-NAMES += ["colcon_defaults.yaml", ".colcon-defaults.yml", "Dockerfile", "Dockerfile.dev", "arm.dockerfile"]
-OTHERS = ["package.json", "colcon.md", "params.yaml", "CMakeLists.txt", "presets.yaml", "a.metadata", "meta", "a.cpp"]
+NAMES += [
+    "colcon_defaults.yaml",
+    ".colcon-defaults.yml",
+    "Dockerfile",
+    "Dockerfile.dev",
+    "arm.dockerfile",
+    "part.pc",
+    "part.pc.in",
+]
+OTHERS = [
+    "package.json",
+    "colcon.md",
+    "params.yaml",
+    "CMakeLists.txt",
+    "presets.yaml",
+    "a.metadata",
+    "meta",
+    "a.cpp",
+    "a.pcd",
+    "pc",
+]
 FLAGS = [
     '{"cacheVariables": {"CMAKE_CXX_FLAGS": "-include src/part.txt"}}',
     '{"environment": {"CXXFLAGS": "-O2"}}',
@@ -47,9 +66,36 @@ def test_other_names(name: str) -> None:
 
 @pytest.mark.parametrize("text", FLAGS)
 def test_flags(text: str) -> None:
-    assert has_flags(text)
+    assert has_flags("Dockerfile", text)
 
 
 @pytest.mark.parametrize("text", PLAIN)
 def test_usual_settings(text: str) -> None:
-    assert not has_flags(text)
+    assert not has_flags("Dockerfile", text)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Name: part\nCflags: -include ${pcfiledir}/part.glsl\n",
+        "more=-include part.glsl\nCflags: ${more}\n",
+        "Cflags: -I${includedir} \\\n  -Dkept=local\n",
+        "Cflags.private: -imacros part.glsl\n",
+    ],
+)
+def test_flags_of_a_package(text: str) -> None:
+    assert has_flags("part.pc", text)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "",
+        "prefix=/usr\nincludedir=${prefix}/include\nCflags: -I${includedir}/part -DPART_STATIC -pthread -std=c++17\n",
+        "prefix=@CMAKE_INSTALL_PREFIX@\nCflags: -I@INCLUDES@ @CFLAGS@ -DA=1\nLibs: -L${libdir} -lpart -Wl,-rpath,${libdir}\n",
+        "Name: part\nDescription: a part - see --include, kept=local\nVersion: 1.2-3\nRequires: other >= 2, eigen3\n",
+        "# Cflags: -include part.glsl\n",
+    ],
+)
+def test_usual_flags_of_a_package(text: str) -> None:
+    assert not has_flags("part.pc.in", text)
