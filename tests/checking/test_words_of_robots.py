@@ -1,0 +1,109 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Robot descriptions and frames: one finding for one mistake, the mesh of another format, nodes without a name, frames that MoveIt strips."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from haros_ci.api.testing import said
+from haros_ci.checking.page import Example
+from haros_ci.registry import checks
+
+MANIFEST = (
+    '<package format="3"><name>demo</name><version>1.0.0</version><description>d</description><maintainer email="a@b.cd">m</maintainer>'
+    "<license>Apache-2.0</license><buildtool_depend>ament_cmake</buildtool_depend><depend>rclpy</depend><depend>tf2_ros</depend>"
+    "<export><build_type>ament_cmake</build_type></export></package>\n"
+)
+
+
+def messages(check_id: str, files: dict[str, str], folder: Path) -> list[tuple[str, str]]:
+    check = next(check for check in checks() if check.id == check_id)
+    found = said(check, Example("", True, {"package.xml": MANIFEST, **files}), folder)
+    return [(result.level.value, result.message) for result in found]
+
+
+def robot(*limits: str) -> str:
+    joints = "\n".join(
+        f'  <joint name="j{i}" type="revolute"><parent link="l{i}"/><child link="l{i + 1}"/>{limit}</joint>'
+        for i, limit in enumerate(limits)
+    )
+    links = "\n".join(f'  <link name="l{i}"/>' for i in range(len(limits) + 1))
+    return f'<robot name="arm">\n{links}\n{joints}\n</robot>\n'
+
+
+WHOLE = '<limit effort="1" velocity="1" lower="0" upper="1"/>'
+BARE = '<limit lower="0" upper="1"/>'
+
+
+@pytest.mark.parametrize(
+    ("limits", "expected"),
+    [
+        ((WHOLE, WHOLE), []),
+        ((BARE, WHOLE), ["the <limit> of joint j0 has no effort and no velocity: urdfdom rejects the whole robot; add the attribute"]),
+        ((BARE, WHOLE, BARE), ["the joints j0 and j2 have a <limit> without effort and velocity: urdfdom rejects the whole robot; add the attributes"]),
+        (
+            ("", BARE, "", BARE),
+            [
+                "the joints j0 and j2 have no <limit>: urdfdom rejects the whole robot; add <limit>, or make them continuous or fixed",
+                "the joints j1 and j3 have a <limit> without effort and velocity: urdfdom rejects the whole robot; add the attributes",
+            ],
+        ),
+    ],
+)  # fmt: skip
+def test_limits_of_one_robot_are_one_finding(limits: tuple[str, ...], expected: list[str], tmp_path: Path) -> None:
+    found = messages("broken-robot-model", {"urdf/arm.urdf": robot(*limits)}, tmp_path)
+    assert sorted(message for _, message in found) == sorted(expected)
+
+
+def arm(mesh: str) -> str:
+    return f'<robot name="arm"><link name="a"><visual><geometry><mesh filename="package://demo/meshes/{mesh}"/></geometry></visual></link></robot>\n'
+
+
+@pytest.mark.parametrize(
+    ("mesh", "hint"),
+    [
+        ("base.stl", "; the directory has base.dae and base.obj: write that ending, or add the file"),
+        ("base_left.stl", "; add the file, or correct its path"),
+    ],
+)
+def test_a_mesh_of_another_format(mesh: str, hint: str, tmp_path: Path) -> None:
+    there = {f"meshes/{name}": "solid\n" for name in ("base.obj", "base.dae")}
+    ((_, message),) = messages("mesh-not-loaded", {"urdf/arm.urdf": arm(mesh), **there}, tmp_path)
+    assert message.endswith(hint), message
+
+
+SCENE = """#!/usr/bin/env python3
+import rclpy
+from moveit_msgs.msg import CollisionObject
+from geometry_msgs.msg import PoseStamped
+
+
+def main():
+    rclpy.init()
+    node = rclpy.create_node("scene")
+    thing = {}()
+    thing.header.frame_id = "/world"
+    node.create_publisher({}, "thing", 10).publish(thing)
+    rclpy.spin(node)
+
+
+main()
+"""
+
+
+@pytest.mark.parametrize(("kind", "count"), [("PoseStamped", 1), ("CollisionObject", 0)])
+def test_frames_that_moveit_strips(kind: str, count: int, tmp_path: Path) -> None:
+    files = {
+        "scripts/scene.py": SCENE.format(kind, kind),
+        "launch/a.launch.xml": '<launch><node pkg="demo" exec="scene.py"/></launch>\n',
+    }
+    assert len(messages("frame-leading-slash", files, tmp_path)) == count
+
+
+def test_broadcasters_without_a_name(tmp_path: Path) -> None:
+    sender = '<node pkg="tf2_ros" exec="static_transform_publisher" args="0 0 0 0 0 0 {} base"/>'
+    files = {"launch/a.launch.xml": f"<launch>{sender.format('map')}{sender.format('odom')}</launch>\n"}
+    ((_, message),) = messages("conflicting-transforms", files, tmp_path)
+    assert "by a static_transform_publisher without a name of its own, in 'odom' by" in message and "/?" not in message
