@@ -4,10 +4,9 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator
-from dataclasses import replace
+from collections.abc import Iterator
 
-from haros_ci.api import Check, Finding, Level, Location, Project, listed
+from haros_ci.api import Check, Finding, Level, Location, Project
 from haros_ci.api.robots import Description, Joint, RobotLink, descriptions, lead, place_of, together
 
 #: Joints that urdfdom refuses without a <limit> (parseJoint).
@@ -16,46 +15,12 @@ _LIMITED = ("revolute", "prismatic")
 _START = re.compile(r"\s*<([\w:.-]+)(?:\s[^<>]*?)?(/)?>")
 #: Blanks around what they mean nothing around.
 _AROUND = re.compile(r"(?<!\s)\s*(=|>)\s*")
-#: How findings on limits that are missing, or that lack something, are called; so many of one file are one; places that it relates.
-_NO_LIMIT, _LACKS = "no limit", "without "
-_MANY = 2
-_SHOWN = 40
 #: Lines of an element that are compared.
 MAX_LINES = 200
 
 
 def check(project: Project) -> Iterator[Finding]:
-    yield from together(_of_one_robot(_found(project)))
-
-
-def _of_one_robot(found: Iterable[tuple[str, Finding]]) -> Iterator[tuple[str, Finding]]:
-    """The findings, those on what all limits of one file lack as one, at the first of them."""
-    lacking: dict[tuple[str, str], list[Finding]] = {}
-    rest: list[tuple[str, Finding]] = []
-    for kind, one in found:
-        if kind.startswith(_LACKS) or kind == _NO_LIMIT:
-            lacking.setdefault((kind, one.at.path), []).append(one)
-        else:
-            rest.append((kind, one))
-    for (kind, _), several in lacking.items():
-        places = dict.fromkeys(one.at for one in several)
-        if len(places) < _MANY:
-            yield from ((kind, one) for one in several)
-            continue
-        first = several[0]
-        names = list(dict.fromkeys(name.removeprefix("joint ") for one in several for name in one.apart))
-        lack = "no <limit>" if kind == _NO_LIMIT else f"a <limit> without {kind.removeprefix(_LACKS)}"
-        add = "<limit>, or make them continuous or fixed" if kind == _NO_LIMIT else "the attributes"
-        yield (
-            kind,
-            replace(
-                first,
-                message=f"the joints {listed(names)} have {lack}: urdfdom rejects the whole robot; add {add}",
-                related=tuple((at, "here, too") for at in places if at != first.at)[:_SHOWN],
-                flow=(),
-            ),
-        )
-    yield from rest
+    yield from together(_found(project))
 
 
 def _found(project: Project) -> Iterator[tuple[str, Finding]]:
@@ -105,7 +70,7 @@ def limits(description: Description, joint: Joint) -> Iterator[tuple[str, Findin
     if limit is None:
         if joint.type in _LIMITED and description.robot.is_whole:
             yield (
-                _NO_LIMIT,
+                "no limit",
                 finding(
                     description,
                     joint.location,
@@ -121,7 +86,7 @@ def limits(description: Description, joint: Joint) -> Iterator[tuple[str, Findin
     missing = [name for name in ("effort", "velocity") if getattr(limit, name) is None]
     if missing and description.robot.is_whole:
         yield (
-            f"{_LACKS}{' and '.join(missing)}",
+            f"without {missing}",
             finding(
                 description,
                 limit.location,

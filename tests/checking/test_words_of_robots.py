@@ -24,39 +24,6 @@ def messages(check_id: str, files: dict[str, str], folder: Path) -> list[tuple[s
     return [(result.level.value, result.message) for result in found]
 
 
-def robot(*limits: str) -> str:
-    joints = "\n".join(
-        f'  <joint name="j{i}" type="revolute"><parent link="l{i}"/><child link="l{i + 1}"/>{limit}</joint>'
-        for i, limit in enumerate(limits)
-    )
-    links = "\n".join(f'  <link name="l{i}"/>' for i in range(len(limits) + 1))
-    return f'<robot name="arm">\n{links}\n{joints}\n</robot>\n'
-
-
-WHOLE = '<limit effort="1" velocity="1" lower="0" upper="1"/>'
-BARE = '<limit lower="0" upper="1"/>'
-
-
-@pytest.mark.parametrize(
-    ("limits", "expected"),
-    [
-        ((WHOLE, WHOLE), []),
-        ((BARE, WHOLE), ["the <limit> of joint j0 has no effort and no velocity: urdfdom rejects the whole robot; add the attribute"]),
-        ((BARE, WHOLE, BARE), ["the joints j0 and j2 have a <limit> without effort and velocity: urdfdom rejects the whole robot; add the attributes"]),
-        (
-            ("", BARE, "", BARE),
-            [
-                "the joints j0 and j2 have no <limit>: urdfdom rejects the whole robot; add <limit>, or make them continuous or fixed",
-                "the joints j1 and j3 have a <limit> without effort and velocity: urdfdom rejects the whole robot; add the attributes",
-            ],
-        ),
-    ],
-)  # fmt: skip
-def test_limits_of_one_robot_are_one_finding(limits: tuple[str, ...], expected: list[str], tmp_path: Path) -> None:
-    found = messages("broken-robot-model", {"urdf/arm.urdf": robot(*limits)}, tmp_path)
-    assert sorted(message for _, message in found) == sorted(expected)
-
-
 def arm(mesh: str) -> str:
     return f'<robot name="arm"><link name="a"><visual><geometry><mesh filename="package://demo/meshes/{mesh}"/></geometry></visual></link></robot>\n'
 
