@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from haros_ci.checking.robots import descriptions, is_by_itself, lead, place_of, together
+from haros_ci.checking.robots import descriptions, is_by_itself, lead, other_reader, place_of, together
 from haros_ci.checking.transforms import Broadcast, at_odds, broadcasts, called, origin
 from haros_ci.model.robot import (
     Description,
@@ -31,6 +31,7 @@ __all__ = [
     "is_by_itself",
     "lead",
     "origin",
+    "other_reader",
     "place_of",
     "together",
 ]

@@ -74,3 +74,26 @@ def test_broadcasters_without_a_name(tmp_path: Path) -> None:
     files = {"launch/a.launch.xml": f"<launch>{sender.format('map')}{sender.format('odom')}</launch>\n"}
     ((_, message),) = messages("conflicting-transforms", files, tmp_path)
     assert "by a static_transform_publisher without a name of its own, in 'odom' by" in message and "/?" not in message
+
+
+BARE = """<robot name="arm"><link name="a"/><link name="b"/>
+  <joint name="j" type="revolute"><parent link="a"/><child link="b"/><limit lower="0" upper="1"/></joint>
+</robot>
+"""
+CHAIN = "from ikpy.chain import Chain\n\nARM = Chain.from_urdf_file('urdf/arm.urdf')\n"
+
+
+@pytest.mark.parametrize(
+    ("files", "level"),
+    [
+        ({}, "error"),
+        ({"scripts/kinematics.py": CHAIN}, "note"),
+        ({"scripts/kinematics.py": CHAIN, "launch/a.launch.py": "ARM = 'urdf/arm.urdf'\n"}, "error"),
+        ({"scripts/kinematics.py": CHAIN, "scripts/show.py": "ARM = open('urdf/arm.urdf').read()\n"}, "error"),
+        ({"scripts/kinematics.py": CHAIN.replace("arm.urdf", "leg.urdf")}, "error"),
+        ({"scripts/kinematics.py": CHAIN.replace("from ikpy", "# from ikpy")}, "error"),
+    ],
+)
+def test_limits_that_only_another_reader_sees(files: dict[str, str], level: str, tmp_path: Path) -> None:
+    ((found, message),) = messages("broken-robot-model", {"urdf/arm.urdf": BARE, **files}, tmp_path)
+    assert (found, "here ikpy alone reads the file" in message) == (level, level == "note")
