@@ -66,6 +66,7 @@ FIRES = [
     (f"{EIGEN}/src/LU/LU.h", eigen(), (), EIGEN),
     (f"{CHIP}/src/stm32f4xx_gpio.c", (f"{CHIP}/inc/stm32f4xx_gpio.h",), (), CHIP),
     (f"{CHIP}/Src/stm32f4xx_hal_gpio.c", (f"{CHIP}/Inc/stm32f4xx_hal_gpio.h",), (), CHIP),
+    ("yolo/darknet/src/gemm.c", ("yolo/darknet/include/darknet.h", "yolo/darknet/src/network.c"), (), "yolo/darknet"),
     ("fw/os/tasks.c", ("fw/os/queue.c", "fw/os/list.c", "fw/os/include/FreeRTOS.h"), (), "fw/os"),
 ]
 QUIET = [
@@ -76,6 +77,7 @@ QUIET = [
     ("src/other_old/src/a.cpp", (), ()),
     ("src/other (no usado)/src/a.cpp", (), ()),
     ("src/demo_usado/src/a.cpp", (), ()),
+    ("src/demo/darknet/src/gemm.c", ("src/demo/darknet/include/darknet.h",), ()),
     ("src/demo_backup/src/a.cpp", (), ("src/demo_backup",)),
     ("src/demo/src/a.cpp", ("src/demo/src/license.py",), ()),
     ("src/demo/src/a.cpp", ("src/demo/src/License.hpp",), ()),
