@@ -93,7 +93,7 @@ def _finding(
 
 
 def _builder(package: ProjectPackage) -> str:
-    """The command that installs the package and fails (catkin_make and catkin build install nothing unless they are told to)."""
+    """The command that installs the package and fails (catkin_make and catkin build install nothing unless they are asked to)."""
     return "catkin_make install" if package.ros == 1 else "colcon build"
 
 

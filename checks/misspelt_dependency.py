@@ -136,7 +136,7 @@ def _is_meant(name: str, provider: str, need: Need) -> bool:
 def _released(name: str, package: ProjectPackage, declared: frozenset[str]) -> str | None:
     """The released package that *name* is a slip of, though nothing here is seen to use it; None where *name* may be a package from elsewhere.
 
-    That it may be where a file beside manifests and CMake's has the name, or the repository of that name is told to be cloned.
+    That it may be where a file beside manifests and CMake's has the name, or where a page says to clone the repository of that name.
     """
     if package.ros is None or "-" in name:
         return None
