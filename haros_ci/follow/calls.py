@@ -9,9 +9,9 @@ from haros_ci import syntax
 from haros_ci.follow import (
     activation,
     alternatives,
+    associated,
     beside,
     call_arguments,
-    callbacks,
     commands,
     construct,
     dynamic,
@@ -24,6 +24,7 @@ from haros_ci.follow import (
     methods,
     packs,
     partials,
+    qt,
     specialisations,
     static_types,
     twins,
@@ -98,11 +99,13 @@ def call(walk: Walk, frame: Frame, expression: syntax.Call) -> Value:
         return method_call(walk, frame, receiver, receiver_cell, name, args, targs, location)
     callee, targs = static_types.member_called(walk, frame, callee, targs)
     function = expressions.evaluate(walk, frame, callee)
-    if isinstance(function, Library) and function.name in callbacks.QT:
-        return callbacks.signature(walk, frame, function.name, written)
+    if isinstance(function, Library) and function.name in qt.MACROS:
+        return qt.signature(walk, frame, function.name, written)
     if isinstance(function, Pointer):
         function = function.cell.value
-    return apply(walk, frame, function, call_arguments.arguments(walk, frame, written), targs, location, callee)
+    args = call_arguments.arguments(walk, frame, written)
+    function = associated.meant(walk, frame, callee, function, args)
+    return apply(walk, frame, function, args, targs, location, callee)
 
 
 def _is_of_pointer(walk: Walk, frame: Frame, callee: syntax.Member, cell: Cell) -> bool:
