@@ -73,9 +73,12 @@ class ThirdParty:
 
 
 def _is_backup(directory: str, package: str) -> bool:
-    """Whether the directory of *package* has its name with one of a backup behind it: ``walker_backup``."""
-    found = _BACKUP.fullmatch(directory.rpartition("/")[2])
-    return found is not None and found[1] == package
+    """Whether the directory of *package* has its name with one of a backup behind it (``walker_backup``), or any name with one in brackets (``walk (unused)``)."""
+    name = directory.rpartition("/")[2]
+    found = _BACKUP.fullmatch(name)
+    return found is not None and (
+        found[1] == package or (name[-1] in ")]" and name[len(found[1]) :].lstrip()[0] in "([")
+    )
 
 
 def _is_licence(name: str) -> bool:
