@@ -70,10 +70,9 @@ def call(walk: Walk, frame: Frame, expression: syntax.Call) -> Value:
     if type(callee) is syntax.Member:
         name = callee.name
         receiver_cell, receiver = expressions.located(walk, frame, callee.object)
-        smart = receiver_cell is not None and is_smart_pointer(receiver_cell.type)
         args = call_arguments.arguments(walk, frame, written)
-        if smart and receiver_cell is not None and _is_of_pointer(walk, frame, callee, receiver_cell):
-            return library.pointer_method(walk, receiver_cell, name, args)
+        if receiver_cell is not None and _is_of_pointer(walk, frame, callee, receiver_cell):
+            return library.pointer_method(walk, frame, receiver_cell, name, args, location)
         if isinstance(receiver, Pointer):
             receiver_cell, receiver = receiver.cell, receiver.cell.value
         elif isinstance(receiver, Object) and receiver.name == iterators.ITERATOR:
@@ -110,8 +109,9 @@ def call(walk: Walk, frame: Frame, expression: syntax.Call) -> Value:
 
 def _is_of_pointer(walk: Walk, frame: Frame, callee: syntax.Member, cell: Cell) -> bool:
     """Whether a method is one of the smart pointer in *cell*: ``p.reset()``, and ``it->reset()`` of an iterator over pointers; ``p->reset()`` is the object's."""
-    if callee.name not in library.POINTER_METHODS or type(callee.object) is not syntax.Dereference:
-        return callee.name in library.POINTER_METHODS
+    is_one = is_smart_pointer(cell.type) and callee.name in library.pointer_methods(cell.type)
+    if not is_one or type(callee.object) is not syntax.Dereference:
+        return is_one
     of = callee.object.value
     return isinstance(of, (syntax.Name, syntax.Member)) and expressions.cell_of(walk, frame, of) is not cell
 
@@ -222,8 +222,8 @@ def _is_of_a_handle(frame: Frame, name: str, args: tuple[call_arguments.PassedAr
     """Whether a method of an object that is not declared in the workspace must be one of a node handle."""
     if frame.source.separator != "::":
         return False
-    calls_back = any(isinstance(argument.value, Callable) for argument in args)
-    return name in api_rows.UNMISTAKABLE or (name == "subscribe" and len(args) > 2 and calls_back)
+    is_subscribing = name == "subscribe" and len(args) > 2
+    return name in api_rows.UNMISTAKABLE or (is_subscribing and any(isinstance(arg.value, Callable) for arg in args))
 
 
 def _of_base(
