@@ -7,7 +7,7 @@ import re
 from collections.abc import Iterator
 
 from haros_ci.api import Check, Finding, Level, Location, Project
-from haros_ci.api.robots import Description, Joint, RobotLink, descriptions, lead, place_of, together
+from haros_ci.api.robots import Description, Joint, RobotLink, descriptions, lead, other_reader, place_of, together
 
 #: Joints that urdfdom refuses without a <limit> (parseJoint).
 _LIMITED = ("revolute", "prismatic")
@@ -32,7 +32,7 @@ def _found(project: Project) -> Iterator[tuple[str, Finding]]:
             continue
         for joint in robot.joints:
             if joint.certain:
-                yield from limits(description, joint)
+                yield from limits(description, joint, project)
         twice = list(doubles(description, project))
         for other_finding in twice:
             yield f"{(count := count + 1)}", other_finding
@@ -63,7 +63,7 @@ def finding(
     )
 
 
-def limits(description: Description, joint: Joint) -> Iterator[tuple[str, Finding]]:
+def limits(description: Description, joint: Joint, project: Project) -> Iterator[tuple[str, Finding]]:
     """A ``<limit>`` that is missing, that lacks what it has to say, or that is the wrong way round."""
     about = f"joint {joint.name or '?'}"
     limit = joint.limit
@@ -85,6 +85,8 @@ def limits(description: Description, joint: Joint) -> Iterator[tuple[str, Findin
         return
     missing = [name for name in ("effort", "velocity") if getattr(limit, name) is None]
     if missing and description.robot.is_whole:
+        reader = other_reader(description, project)
+        only = f" (here {reader} alone reads the file, which does without)" if reader else ""
         yield (
             f"without {missing}",
             finding(
@@ -92,10 +94,11 @@ def limits(description: Description, joint: Joint) -> Iterator[tuple[str, Findin
                 limit.location,
                 (
                     f"the <limit> of {about} has no {' and no '.join(missing)}: urdfdom rejects the whole robot; add the "
-                    "attribute"
+                    f"attribute{only}"
                 ),
                 about,
                 joint,
+                Level.NOTE if reader else None,
             ),
         )
     lower, upper = number(limit.lower), number(limit.upper)

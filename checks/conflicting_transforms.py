@@ -8,7 +8,7 @@ from itertools import combinations
 
 from haros_ci.api import ALWAYS, Check, Finding, Level, Location, Project, System, command, together
 from haros_ci.api.launch import FileUse, IncludeUse, ProgramUse
-from haros_ci.api.robots import Broadcast, at_odds, broadcasts, origin
+from haros_ci.api.robots import Broadcast, at_odds, broadcasts, called, origin
 
 
 def check(project: Project) -> Iterator[Finding]:
@@ -66,17 +66,17 @@ def conflict(pairs: list[tuple[Broadcast, Broadcast]], system: System) -> Findin
     parents = one.parent != other.parent and one.parent is not None and other.parent is not None
     if parents:
         how = (
-            f"in {one.parent!r} by {one.node}, in {other.parent!r} by {other.node}: tf allows a frame one parent "
+            f"in {one.parent!r} by {called(one.node)}, in {other.parent!r} by {called(other.node)}: tf allows a frame one parent "
             "only, so the frame jumps between two trees"
         )
     elif one.is_static != other.is_static:
         static = one if one.is_static else other
         how = (
-            f"by {one.node} and {other.node}, of which {static.node} sends a static transform: the result of a "
+            f"by {called(one.node)} and {called(other.node)}, of which {called(static.node)} sends a static transform: the result of a "
             "look-up depends on the order of arrival"
         )
     else:
-        how = f"by {one.node} and {other.node}: look-ups jump between the two transforms"
+        how = f"by {called(one.node)} and {called(other.node)}: look-ups jump between the two transforms"
     more = f" (and {len(pairs) - 1} more frames)" if len(pairs) > 1 else ""
     return Finding(
         at=other.at,
@@ -87,8 +87,8 @@ def conflict(pairs: list[tuple[Broadcast, Broadcast]], system: System) -> Findin
             other.at,
             (
                 (one.at, one.what),
-                (other.node.location, f"starts {other.node}"),
-                (one.node.location, f"starts {one.node}"),
+                (other.node.location, f"starts {called(other.node)}"),
+                (one.node.location, f"starts {called(one.node)}"),
             ),
         ),
         level=None if parents else Level.WARNING,

@@ -16,6 +16,8 @@ _TOOLS = ("buildtool_depend", "buildtool_export_depend", "doc_depend")
 _GENERATORS = frozenset(
     ("message_generation", "message_runtime", "rosidl_default_generators", "rosidl_default_runtime")
 )
+#: The client libraries, by the language of the code that needs them.
+_CLIENTS = {"rospy": "python", "rclpy": "python", "roscpp": "cpp", "rclcpp": "cpp"}
 _INTERFACES = (".msg", ".srv", ".action")
 _VERSION = re.compile(r"\$ROS_VERSION\s*==\s*['\"]?([12])")
 #: Files that bring sources of other repositories into the workspace.
@@ -107,11 +109,26 @@ def _finding(package: ProjectPackage, ros: int, found: list[Dependency]) -> Find
 def _instead(package: ProjectPackage, ros: int, name: str) -> str:
     """What takes the place of *name*; "" where nothing does, the package declares it already, or has no need of it."""
     counterpart = COUNTERPARTS[ros].get(name, "")
+    if name in _CLIENTS and not _has_language(package, name):
+        return ""
     if name in _GENERATORS and not package.build.interfaces and not _has_interfaces(package):
         return ""
     if counterpart.startswith("rclcpp") and package.raw.build_type == "ament_python":
         counterpart = "rclpy"  # which has actions and components, too
     return "" if counterpart in package.declared else counterpart
+
+
+def _has_language(package: ProjectPackage, client: str) -> bool:
+    """Whether the package has code in the language of a client library, or none at all: there the library of the manifest says which is to come."""
+    languages = {
+        file.language
+        for file in package.files
+        if not file.path.endswith(("/setup.py", ".launch.py"))
+        and file.path != "setup.py"
+        and "/launch/" not in file.path
+    }
+    own = languages & set(_CLIENTS.values())
+    return not own or _CLIENTS[client] in own
 
 
 def _has_interfaces(package: ProjectPackage) -> bool:

@@ -39,6 +39,8 @@ _DECLARED = (
     r"(?:\b(?P<type>[A-Z]\w*)(?:::(?:Shared|Unique|)Ptr|Ptr|>)?[\s&*]+{word}\s*[;=,)({{:\[]"
     r"|\b{word}\s*(?::[^=\n]{{1,80}})?=[^=;\n]{{0,80}}?\b(?P<made>[A-Z]\w*)\s*(?:>\s*)?[({{])"
 )
+#: Messages whose frames MoveIt looks up in its planning scene, which takes the slash off (PlanningScene::getFrameTransform, knowsFrameTransform).
+_OF_MOVEIT = frozenset(("CollisionObject", "AttachedCollisionObject"))
 #: An element of an array of markers, before its header.
 _ELEMENT = re.compile(r"\bmarkers\s*(?:\[[^\[\]\n]{0,40}\]|\.(?:back|front)\(\)|\.at\([^()\n]{0,40}\))\s*(?:\.|->)\s*$")
 #: Words of a statement that reads a parameter, which are not its own.
@@ -253,6 +255,8 @@ def _in_text(path: str, text: str) -> Iterator[_FrameUse]:
         frame = found[3] or found[5]
         if found["ask"] is not None:
             kind = "look-up"
+        elif not _OF_MOVEIT.isdisjoint(_kinds(found["of"], text, found.start())[-1:]):
+            continue
         elif _is_sent(found["of"], text):
             kind = "transform"
         else:
@@ -289,14 +293,19 @@ def _is_marker(found: re.Match[str], text: str) -> bool:
         return element is not None and element.end() == found.start()
     if name in ("self", "this"):
         return False
-    word = re.escape(name)
-    kinds = [
-        match["type"] or match["made"] for match in re.finditer(_DECLARED.format(word=word), text[: found.start()])
-    ]
-    kinds = kinds or [match["type"] or match["made"] for match in re.finditer(_DECLARED.format(word=word), text)]
+    word, kinds = re.escape(name), _kinds(name, text, found.start())
     if not kinds or re.fullmatch(r"Marker(?:::)?", kinds[-1]) is None:
         return False
     return re.search(rf"ransform\w{{0,80}}\s*\([^;\n]{{0,200}}\b{word}\s*(?:\.|->)\s*header\b", text) is None
+
+
+def _kinds(name: str | None, text: str, end: int) -> list[str]:
+    """The types that the variable *name* is declared with before *end*, or anywhere, without their namespaces."""
+    if not name or name in ("self", "this", "header"):
+        return []
+    pattern = _DECLARED.format(word=re.escape(name))
+    before = [match["type"] or match["made"] for match in re.finditer(pattern, text[:end])]
+    return before or [match["type"] or match["made"] for match in re.finditer(pattern, text)]
 
 
 def _marker(use: _FrameUse, node: SystemNode | str) -> Finding:

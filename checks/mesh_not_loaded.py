@@ -6,7 +6,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator
 
-from haros_ci.api import Check, Finding, Level, Project
+from haros_ci.api import Check, Finding, Level, Project, listed
 from haros_ci.api.launch import meant
 from haros_ci.api.robots import Description, Mesh, descriptions, lead, together
 
@@ -161,7 +161,7 @@ def fault(mesh: Mesh, project: Project, meshes: list[str]) -> str:
             return ""  # a package whose meshes come from elsewhere
         return (
             f"the mesh {mesh.filename} does not exist: the link is not displayed, and collision checks "
-            f"fail{meant(mesh.similar) or '; add the file, or correct its path'}"
+            f"fail{_of_another_format(mesh, project, meshes) or meant(mesh.similar) or '; add the file, or correct its path'}"
         )
     if mesh.path is not None and mesh.path.lower().endswith(".stl") and is_disguised(project.workspace.head(mesh.path)):
         name = mesh.path.rpartition("/")[2]
@@ -170,6 +170,20 @@ def fault(mesh: Mesh, project: Project, meshes: list[str]) -> str:
             "compare the size parses it as text and loads no geometry; export it with another header"
         )
     return ""
+
+
+def _of_another_format(mesh: Mesh, project: Project, meshes: list[str]) -> str:
+    """What to do where the directory has a mesh of that name in another format: the ending is wrong, most often that of a macro's argument."""
+    folder, name = _folder(mesh, project), (mesh.filename or "").rpartition("/")[2]
+    stem = name.rpartition(".")[0]
+    start = f"{folder.rstrip('/')}/{stem}." if folder and stem else ""
+    there = [
+        path.rpartition("/")[2] for path in meshes if start and path.startswith(start) and "." not in path[len(start) :]
+    ]
+    if not there:
+        return ""
+    where = "" if name in project.text(mesh.location.path) else " where it is set"
+    return f"; the directory has {listed(sorted(there))}: write that ending{where}, or add the file"
 
 
 def _also(other: Mesh, mesh: Mesh, is_literal: bool) -> str:

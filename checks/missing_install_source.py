@@ -83,13 +83,18 @@ def _finding(
     elif posixpath.splitext(path)[1]:
         hint = "remove the name, or add the file"
     else:
-        hint = "git does not store empty directories; remove the line, or add the missing file"
+        hint = f"remove it from the line, or add a file to {shown}: git stores no directory that is empty"
     return Finding(
         at=command.location,
-        message=f"{shown} of {package.name} is installed, but does not exist: the installation stops here; {hint}",
+        message=f"{package.name} installs {shown}, which is not there: {_builder(package)} stops with an error; {hint}",
         about=(package.name, shown),
         apart=(shown,),
     )
+
+
+def _builder(package: ProjectPackage) -> str:
+    """The command that installs the package and fails (catkin_make and catkin build install nothing unless they are asked to)."""
+    return "catkin_make install" if package.ros == 1 else "colcon build"
 
 
 def _exported(package: ProjectPackage) -> Mapping[str, str]:

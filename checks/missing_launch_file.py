@@ -13,6 +13,8 @@ from haros_ci.api.packages import is_ignored, writer_of
 #: Files that nodes read; of others they may be the ones who write them.
 _READ = re.compile(r"\.(ya?ml|rviz|urdf|xacro|sdf|srdf|world|launch|launch\.\w+|py|lua|perspective|stl|dae|vcg)$", re.I)
 _WRITES = re.compile(r"output|save|write|dump|record|store|cache|result|calibrat|camera_info|log", re.I)
+#: Endings of templates that a launch file in Python may expand.
+_TEMPLATES = (".em", ".in", ".erb", ".j2", ".jinja", ".jinja2", ".mako", ".template", ".tmpl", ".tpl")
 #: An argument in a path, what stands for it, and what ends one part of a path.
 _MARK = "\0"
 _PART = re.compile(r"[\s\"'()$/]+")
@@ -77,8 +79,19 @@ def _made(system: System, use: FileUse) -> str:
         return "; .gitignore names it, so that it may be made elsewhere"
     if use.kind == "include":
         return ""  # programs write no launch files
+    if template := _template(system, use):
+        return f"; {template} beside it is a template of it, which the launch file names, too, so that it may be made when this is started"
     writer = writer_of(system, use.path)
     return f"; {writer} writes a file of this name, so that it may be made at run time" if writer else ""
+
+
+def _template(system: System, use: FileUse) -> str:
+    """The base name of a template of the file (empy, CMake, ERB, Jinja, Mako) that lies beside it and that the launch file has in its text."""
+    if system.workspace is None or not use.path:
+        return ""
+    text, base = system.workspace.text(use.location.path), use.path.rpartition("/")[2]
+    made = (f"{base}{ending}" for ending in _TEMPLATES if f"{use.path}{ending}" in system.workspace.names)
+    return next((name for name in made if name in text), "")
 
 
 def _is_chosen(system: System, use: FileUse) -> bool:

@@ -15,13 +15,17 @@ from haros_ci.api.packages import (
     first_provider,
     holds_for_python,
     imports_of,
+    meant_released,
     needs_of,
     normal,
     place,
+    repositories_named,
     word,
 )
 
 _NAME = re.compile(r"[A-Za-z][\w-]{1,100}")
+#: Files that bring sources of other repositories into the workspace.
+_SOURCES = re.compile(r"\.(?:repos|rosinstall)$|(?:^|/)\.gitmodules$")
 #: The most names of one package for which a correction is searched, and the most needs that are compared with them.
 MAX_UNKNOWN = 100
 MAX_NEEDS = 2_000
@@ -53,6 +57,8 @@ def check(project: Project) -> Iterator[Finding]:
                     meant.setdefault(first_provider(there, package), need)
             if meant:
                 yield _finding(package, name, meant)
+            elif (released := _released(name, package, declared)) is not None:
+                yield _slip_of_released(package, name, released)
 
 
 def _together(package: ProjectPackage) -> Iterator[Finding]:
@@ -125,6 +131,40 @@ def _is_meant(name: str, provider: str, need: Need) -> bool:
     prefix, _, stem = normal(name).partition("-") if name.startswith("python3-") else ("python3", "", normal(name))
     called = distributions_of(module.partition(".")[0]) if module and not first else frozenset()
     return "-" in name and stem in called and provider.startswith(f"{prefix}-") and not provider.endswith("-pip")
+
+
+def _released(name: str, package: ProjectPackage, declared: frozenset[str]) -> str | None:
+    """The released package that *name* is a slip of, though nothing here is seen to use it; None where *name* may be a package from elsewhere.
+
+    That it may be where a file beside manifests and CMake's has the name, or where a page says to clone the repository of that name.
+    """
+    if package.ros is None or "-" in name:
+        return None
+    released = meant_released(name)
+    if released is None or released in declared or not package.project.knowledge.is_current(released, package.ros):
+        return None
+    workspace = package.project.workspace
+    if any(_SOURCES.search(path) for path in workspace.names) or name in repositories_named(workspace):
+        return None
+    word_of_it = re.compile(rf"(?<![\w-]){re.escape(name)}(?![\w-])")
+    others = (path for path in sorted(workspace.names) if not path.endswith(("package.xml", "CMakeLists.txt")))
+    if any(name in path.split("/") for path in workspace.names):
+        return None
+    return (
+        None if any(word_of_it.search(text) for path in others if name in (text := workspace.text(path))) else released
+    )
+
+
+def _slip_of_released(package: ProjectPackage, name: str, released: str) -> Finding:
+    line = next((dependency.line for dependency in package.raw.dependencies if dependency.name == name), None)
+    return Finding(
+        at=Location(package.manifest_path, line or 1),
+        message=f"{package.name} depends on {name}, which is neither a ROS package nor a rosdep key, and which nothing else here names: rosdep "
+        f"stops here; did you mean {released}?",
+        about=(package.name, name),
+        apart=(name, released),
+        level=Level.WARNING,
+    )
 
 
 def _finding(package: ProjectPackage, name: str, meant: Mapping[str, Need]) -> Finding:

@@ -38,7 +38,7 @@ def check(system: System) -> Iterator[Finding]:
                 by_call.setdefault(end.location, []).append(end)
         for ends in by_call.values():
             pair = next(((a, b) for a, b in can_meet(ends, ends) if _are_instances(a, b)), None)
-            if pair is not None:
+            if pair is not None and not _is_of_all(channel, *pair):
                 yield _finding(channel, ends, *pair)
 
 
@@ -64,6 +64,16 @@ def _is_beside_its_own(end: End, space: str) -> bool:
     """Whether the node has the same name in its namespace, too: then the global one is meant to be one for all."""
     relative = (end.raw.written or "").lstrip("/")
     return any(other.original_name == f"{space}/{relative}" for other in end.node.of(end.kind))
+
+
+def _is_of_all(channel: Channel, *instances: End) -> bool:
+    """Whether the instances hear each other on the topic: by a relative name each of them would hear itself alone."""
+    heard = {id(taker.node) for taker in channel.takers if taker.kind == "subscribers" and _written_globally(taker)}
+    return channel.kind == "topic" and all(id(one.node) in heard for one in instances)
+
+
+def _written_globally(end: End) -> bool:
+    return (end.raw.written or "").startswith("/") and end.in_source and end.name == end.original_name
 
 
 def _are_instances(one: End, other: End) -> bool:

@@ -33,12 +33,20 @@ def check(system: System) -> Iterator[Finding]:
         yield Finding(
             at=use.location,
             message=f"package {use.package} {_WORDS[use.kind]} {use.program!r}: this node cannot start"
-            + (meant(use.similar) or "; correct the name, or build and install it"),
+            + (_as_script(use) or meant(use.similar) or "; correct the name, or build and install it"),
             about=(f"{use.package}/{use.program}",),
             flow=included_by(use),
             apart=(use.program,),
             presence=use.presence,
         )
+
+
+def _as_script(use: ProgramUse) -> str:
+    """What to do where the package has a script of the name, with its ending: whether it is installed, and as what, decides what is meant."""
+    script = f"{use.program}.py"
+    if use.kind != "executable" or use.similar[:1] != (script,):
+        return ""
+    return f"; the package has {script}: start it by that name if it is installed so, or install it with RENAME {use.program}"
 
 
 def _instead(use: ProgramUse) -> str:

@@ -41,6 +41,8 @@ _MAKERS = tuple(
         (r"rf2o_laser_odometry", r"jgmonroy@uma\.es"),
         (r"kiss_icp", r"ignaciovizzo@gmail\.com"),
         (r"lio_sam", r"shant@mit\.edu"),
+        (r"darknet_ros(?:_msgs)?", r"marko\.bjelonic@|mbjelonic@"),
+        (r"wit_(?:ros_imu|ros2?_driver|node)", r"@wit-motion\.com"),
     )
 )
 #: What templates put in the place of a name or an address.

@@ -3,8 +3,8 @@
 
 from __future__ import annotations
 
-from haros_ci.checking.robots import descriptions, is_by_itself, lead, place_of, together
-from haros_ci.checking.transforms import Broadcast, at_odds, broadcasts, origin
+from haros_ci.checking.robots import descriptions, is_by_itself, lead, other_reader, place_of, together
+from haros_ci.checking.transforms import Broadcast, at_odds, broadcasts, called, origin
 from haros_ci.model.robot import (
     Description,
     Fault,
@@ -26,10 +26,12 @@ __all__ = [
     "RobotLink",
     "at_odds",
     "broadcasts",
+    "called",
     "descriptions",
     "is_by_itself",
     "lead",
     "origin",
+    "other_reader",
     "place_of",
     "together",
 ]

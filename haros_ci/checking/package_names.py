@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection
+from functools import cache
 
 from haros_ci.checking.likeness import is_slip
 from haros_ci.knowledge.knowledge import knowledge
@@ -32,9 +33,31 @@ def meant_released(name: str) -> str | None:
     """The package of a distribution that is meant by a name that no package has."""
     if len(name) < _LONG or knowledge().is_package(name) is not False:
         return None
-    return next(
-        (other for other in knowledge().packages() if abs(len(other) - len(name)) < 3 and is_slip(name, other)), None
-    )
+    near = [other for other in knowledge().packages() if abs(len(other) - len(name)) < 3 and is_slip(name, other)]
+    return next((other for other in near if not _has_words_of_others(name, other)), None)
+
+
+def _has_words_of_others(name: str, other: str) -> bool:
+    """Whether *name* differs from *other* by a word that packages are made of, too: ``robot_description`` is no slip of ``rosbot_description``.
+
+    One letter ``s`` at the end of a word is left out by those who mean the other, whatever other packages are called.
+    """
+    words, others = name.split("_"), other.split("_")
+    if len(words) != len(others):
+        return False
+    apart = [(one, two) for one, two in zip(words, others) if one != two]
+    return bool(apart) and all(one.rstrip("s") != two.rstrip("s") and _is_word(one) for one, two in apart)
+
+
+@cache
+def _is_word(word: str) -> bool:
+    """Whether several released packages have *word* in their names, between underscores."""
+    count = 0
+    for name in knowledge().packages():
+        count += word in name and word in name.split("_")
+        if count >= _COMMON:
+            return True
+    return False
 
 
 def _is_common(prefix: str, names: Collection[str]) -> bool:

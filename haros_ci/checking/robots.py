@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
 
@@ -16,6 +17,12 @@ from haros_ci.results.rule import Level
 #: Names that a message lists, and places that a finding relates.
 _NAMED = 3
 _SHOWN = 40
+#: Languages of files whose text may name a description, and libraries that read one without urdfdom.
+_NAMING = ("launch", "python", "cpp", "xml", "yaml", "shell", "cmake")
+_READERS = re.compile(
+    r"^[ \t]*(?:import|from)[ \t]+(ikpy|pybullet|pinocchio|kinpy|urdfpy|yourdfpy|pytorch_kinematics|urchin)\b",
+    re.MULTILINE,
+)
 _TRIALS = ("test", "tests", "testdata", "test_data")
 
 
@@ -52,6 +59,28 @@ def is_by_itself(description: Description) -> bool:
     children = {joint.child for joint in robot.joints}
     ends = {end for joint in robot.joints for end in (joint.parent, joint.child)}
     return bool(robot.joints) and None not in links | ends and ends <= links and len(links - children) == 1
+
+
+def other_reader(description: Description, project: Project) -> str:
+    """The library, other than urdfdom, by which alone Python code reads the file of *description*; "" if anything else names the file, or nothing does.
+
+    None of these asks a limit for its effort or velocity (ikpy's URDF_parser, PyBullet's loadURDF, pinocchio's and kinpy's own readers).
+    """
+    name = description.robot.path.rpartition("/")[2]
+    if description.command or "/" in name or not name:
+        return ""
+    found = ""
+    for file in project.workspace.files:
+        if file.path == description.robot.path or file.language not in _NAMING:
+            continue
+        text = project.text(file.path)
+        if name not in text:
+            continue
+        reader = _READERS.search(text) if file.language == "python" else None
+        if reader is None:
+            return ""
+        found = found or reader[1]
+    return found
 
 
 def together(findings: Iterable[tuple[str, Finding]]) -> Iterator[Finding]:

@@ -52,6 +52,13 @@ def at_odds(one: Broadcast, other: Broadcast) -> bool:
     return not (one.is_static and other.is_static and one.parent == other.parent and one.values == other.values)
 
 
+def called(node: SystemNode) -> str:
+    """The name of *node*, for a message; of one that gets another name at each start (``/?``), its program in words."""
+    if "?" not in node.name:
+        return str(node)
+    return f"{'an' if node.raw.type[:1] in 'aeiou' else 'a'} {node.raw.type} without a name of its own"
+
+
 def origin(one: Broadcast) -> str:
     """Who knows of it: a ``publisher`` of static transforms, a ``robot`` description, or ``code``."""
     return _origin(one.node)
@@ -115,7 +122,14 @@ def _static(node: SystemNode) -> Iterator[Broadcast]:
         return  # kept apart by a tf_prefix in tf, and nothing at all in tf2
     is_static = node.package == "tf2_ros"
     yield Broadcast(
-        child.lstrip("/"), parent.lstrip("/"), is_static, node, node.location, f"{node} publishes it", topic, values
+        child.lstrip("/"),
+        parent.lstrip("/"),
+        is_static,
+        node,
+        node.location,
+        f"{called(node)} publishes it",
+        topic,
+        values,
     )
 
 

@@ -52,10 +52,14 @@ class Programs:
     def __init__(self, project: Project) -> None:
         self.project = project
         self.started: dict[tuple[str, str], Location] = {}
+        #: Programs that packages certainly do not have, of which unknown-executable tells.
+        self.lost: set[tuple[str, str]] = set()
         for system in project.systems:
             for use in system.facts(ProgramUse):
                 if use.kind == "executable":
                     self.started.setdefault((use.package, use.program), use.location)
+                    if use.is_found is False:
+                        self.lost.add((use.package, use.program))
         self._documented_places: Mapping[tuple[str, str], Location] | None = None
 
     def documented(self, package: str, name: str) -> Location | None:
@@ -205,6 +209,8 @@ def _scripts(package: ProjectPackage, programs: Programs) -> Iterator[Uninstalle
     for path in package.build.scripts:
         shown, name = path.removeprefix(f"{package.path}/"), posixpath.basename(path)
         use, how = programs.started.get((package.name, name)), "is started here"
+        if use is None and (package.name, posixpath.splitext(name)[0]) in programs.lost:
+            continue  # it is started without its ending: unknown-executable says what to write and to install
         text = package.project.text(path)
         if landings(package, path) or _is_module(package, path) or name in package.cmake.mentioned or name in names:
             continue

@@ -91,10 +91,12 @@ def _coverage(report: Report, room: int) -> Iterator[str]:
 
 def _messages(report: Report, room: int) -> Iterator[str]:
     named = {*summary.given_up_on(report)}  # they stand above
+    of_many = {why for place, why in named if place.endswith((" more file", " more files"))}
     notes = gathered(
         note
         for note in summary.notifications(report)
-        if note.level is Level.ERROR or _place_and_reason(note) not in named
+        if note.level is Level.ERROR
+        or (_place_and_reason(note) not in named and note.message.rstrip(".") not in of_many)
     )
     if not notes:
         return

@@ -162,14 +162,17 @@ def given_up_on(report: Report, printed: Level | None = None) -> tuple[tuple[str
         first = {path: min(notes, key=lambda note: note.line or 0) for path, notes in sorted(files.items())}
         if printed is not None and all(note.level.rank <= printed.rank for note in first.values()):
             continue
-        for path, note in list(first.items())[:MOST_GIVEN_UP]:
-            more = len(files[path]) - 1
-            place = f"{path}:{note.line}" if note.line else path
-            messages.append(
-                (place, note.message.rstrip(".") + (f"; and {plural(more, 'more reason')}" if more else ""))
-            )
-        if len(first) > MOST_GIVEN_UP:
-            messages.append(("", f"and {plural(len(first) - MOST_GIVEN_UP, 'more file')} of {tool}"))
+        alike: dict[str, list[str]] = {}  # one reason at many files is one line
+        for path, note in first.items():
+            alike.setdefault(note.message.rstrip("."), []).append(path)
+        for reason, paths in list(alike.items())[:MOST_GIVEN_UP]:
+            note, more = first[paths[0]], sum(len(files[path]) - 1 for path in paths)
+            place = f"{note.path}:{note.line}" if note.line else f"{note.path}"
+            if len(paths) > 1:
+                place += f" and {plural(len(paths) - 1, 'more file')}"
+            messages.append((place, reason + (f"; and {plural(more, 'more reason')}" if more else "")))
+        if left := sum(map(len, list(alike.values())[MOST_GIVEN_UP:])):
+            messages.append(("", f"and {plural(left, 'more file')} of {tool}"))
     return tuple(messages)
 
 

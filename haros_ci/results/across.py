@@ -19,6 +19,7 @@ OF_ONE_CAUSE = frozenset(
     f"haros-ci:{rule}"
     for rule in (
         "deprecated-launch-keyword",
+        "ineffective-remap",
         "missing-launch-file",
         "parameter-file-missing",
         "parameter-not-declared",

@@ -36,8 +36,13 @@ NEAR = 3
 #: construct that is wrong in the same way at each of its places.
 OF_ONE_CAUSE = {"haros-ci:parameter-file-missing": ": ", "haros-ci:malformed-launch-file": "\n"}
 
-#: Errors of one file that have one cause if they say the same but for names: elements of a robot's description that all lack the prefix of xacro.
-OF_ONE_SHAPE = {"haros-ci:undefined-in-xacro": " has the name of a macro, but "}
+#: Errors of one file that have one cause if they say the same but for names: elements of a robot's description that all lack the prefix of xacro, joints that all
+#: lack the same, targets of which none waits for the same generation.
+OF_ONE_SHAPE = {
+    "haros-ci:undefined-in-xacro": " has the name of a macro, but ",
+    "haros-ci:broken-robot-model": ": urdfdom rejects the whole robot",
+    "haros-ci:generation-not-awaited": ", but does not depend on the generation",
+}
 
 _WORD = re.compile(r"\w+")
 _TOKEN = re.compile(r"[\w./:-]*\w|[^\w\s]")

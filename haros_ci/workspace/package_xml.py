@@ -12,6 +12,7 @@ condition on ``$ROS_VERSION`` included.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from types import MappingProxyType
@@ -35,6 +36,15 @@ DEPENDENCY_TAGS = (
     "doc_depend",
 )
 
+#: All tags that <package> may hold (REP 127, 140 and 149).
+_TAGS = frozenset(DEPENDENCY_TAGS) | frozenset(
+    (
+        *("name", "version", "description", "maintainer", "license", "url", "author", "conflict", "replace", "export"),
+        *("group_depend", "member_of_group"),
+    )
+)
+_NAME = re.compile(r"[A-Za-z][\w-]{0,100}")
+
 #: Packages that exist in one ROS only, and are needed by most that are written for it.
 _ROS_OF = {"catkin": 1, "roscpp": 1, "rospy": 1, "message_generation": 1, "rclcpp": 2, "rclpy": 2}
 _ROS_OF["rosidl_default_generators"] = 2
@@ -57,7 +67,7 @@ def parse_package(path: str, data: bytes, *, environment: Mapping[str, str] | No
         return Problem(path, f"the outermost element is <{root.tag}>, not <package>", root.line)
     name = _text(next(root.all("name"), None))
     if not name:
-        return Problem(path, "no package name; add <name>", root.line)
+        return _nameless(path, root)
     manifest_format = root.attributes.get("format", "1").strip()
     if manifest_format not in ("1", "2", "3"):
         return Problem(path, f"package format {manifest_format!r} is not known; use 3", root.line)
@@ -81,6 +91,19 @@ def parse_package(path: str, data: bytes, *, environment: Mapping[str, str] | No
         ros=ros,
         dependencies=dependencies,
         is_metapackage=any(export.all("metapackage")),
+    )
+
+
+def _nameless(path: str, root: Element) -> Problem:
+    """What is wrong with a manifest without a name: a tag that no format has, with a text that can be one, is meant to hold it."""
+    meant = next((child for child in root.children if child.tag not in _TAGS and _NAME.fullmatch(_text(child))), None)
+    if meant is None:
+        return Problem(path, "no package name; add <name>", root.line)
+    return Problem(
+        path,
+        f"no package name: <{meant.tag}> is no tag of package.xml, and colcon and catkin do not take its text for the name; "
+        f"write <name>{_text(meant)}</name>",
+        meant.line,
     )
 
 

@@ -14,7 +14,12 @@ NAMES = frozenset(
     " external_lib external_libs external_library external_libraries".split()
 )
 _LICENCE = re.compile(r"(?:licen[cs]e|copying|unlicense)(?:[-._][\w.-]+)?", re.IGNORECASE)
-_BACKUP = re.compile(r"(.+?)[-_. ]{1,3}(?:backup|bak|old|orig|deprecated|obsolete)[-_.]?\d{0,8}", re.IGNORECASE)
+#: What people write behind the name of a package that they have kept and do not use: in English, Spanish and Portuguese, French, German, Italian, Chinese.
+_BACKUP = re.compile(
+    r"(.+?)[-_. (\[]{1,3}(?:backup|bak|old|orig|deprecated|obsolete|unused|not[-_ ]?used|copia|no[-_ ]us(?:ado|ada|ar)|sin[-_ ]usar|n[aã]o[-_ ]usad[oa]|obsoleto"
+    r"|antiguo|inutilis[ée]|ancien|unbenutzt|veraltet|vecchio|备份|旧版|废弃|弃用|不用)[-_.]?\d{0,8}[)\]]?",
+    re.IGNORECASE,
+)
 _CODE = (".py", ".js", ".c", ".cc", ".cpp", ".cxx", ".h", ".hh", ".hpp", ".hxx")
 
 
@@ -68,9 +73,12 @@ class ThirdParty:
 
 
 def _is_backup(directory: str, package: str) -> bool:
-    """Whether the directory of *package* has its name with one of a backup behind it: ``walker_backup``."""
-    found = _BACKUP.fullmatch(directory.rpartition("/")[2])
-    return found is not None and found[1] == package
+    """Whether the directory of *package* has its name with one of a backup behind it (``walker_backup``), or any name with one in brackets (``walk (unused)``)."""
+    name = directory.rpartition("/")[2]
+    found = _BACKUP.fullmatch(name)
+    return found is not None and (
+        found[1] == package or (name[-1] in ")]" and name[len(found[1]) :].lstrip()[0] in "([")
+    )
 
 
 def _is_licence(name: str) -> bool:

@@ -41,6 +41,13 @@ MANIFEST = (
         ("actionlib rclpy", {}, "ament_python", "remove actionlib"),
         ("actionlib", {}, "ament_python", "write rclpy for actionlib"),
         ("actionlib", {}, "ament_cmake", "write rclcpp_action for actionlib"),
+        ("rospy rclcpp", {"src/a.cpp": ""}, "ament_cmake", "remove rospy"),
+        ("rospy rclcpp", {"src/a.cpp": "", "launch/a.launch.py": ""}, "ament_cmake", "remove rospy"),
+        ("roscpp rclpy", {"demo/a.py": ""}, "ament_python", "remove roscpp"),
+        ("rospy", {"src/a.cpp": "", "scripts/a.py": ""}, "ament_cmake", "write rclpy for rospy"),
+        ("rospy", {"demo/a.py": ""}, "ament_python", "write rclpy for rospy"),
+        ("rospy", {"launch/a.launch.py": ""}, "ament_cmake", "write rclpy for rospy"),
+        ("roscpp", {"src/a.cpp": "", "setup.py": ""}, "ament_cmake", "write rclcpp for roscpp"),
         ("gmapping rclcpp", {}, "ament_cmake", "nothing in the package names it: remove it, or add the sources to the workspace"),
     ],
 )  # fmt: skip

@@ -148,8 +148,8 @@ def test_files_given_up_on_are_named_with_their_reasons() -> None:
     said = markdown.render(replace(PLAIN, notifications=notes))
     head = html.unescape(html.unescape(said).partition("<details>")[0])
     assert "Not analysed in full: architecture on 6 files." in head
-    assert "launch/4.launch:3</code>: it includes" in head and "launch/5.launch" not in head
-    assert "- and 1 more file of architecture" in head and "<b>" not in said
+    assert "launch/0.launch:3 and 5 more files</code>: it includes" in head and "launch/1.launch" not in head
+    assert "more file of architecture" not in head and "<b>" not in said
 
 
 def test_what_stands_above_is_not_said_again() -> None:

@@ -262,3 +262,23 @@ def test_files_given_up_on_are_named_with_their_reasons() -> None:
         "    and 2 more files of architecture",
     ]
     assert said.count("it is odd") == 1
+
+
+def test_one_reason_at_many_files_is_one_line() -> None:
+    reasons = (
+        "package 'camera' is not in the workspace",
+        "package 'camera' is not in the workspace",
+        "it is odd",
+        *map(str, range(6)),
+    )
+    notes = tuple(
+        Notification(Level.NOTE, reason, "architecture", f"launch/{number}.launch", 3)
+        for number, reason in enumerate(reasons)
+    )
+    lines = shown(replace(PLAIN, notifications=notes)).splitlines()
+    first = lines.index("  Not analysed in full: architecture on 9 files.") + 1
+    assert lines[first : first + 2] == [
+        "    launch/0.launch:3 and 1 more file: package 'camera' is not in the workspace",
+        "    launch/2.launch:3: it is odd",
+    ]
+    assert lines[first + 5] == "    and 3 more files of architecture"

@@ -50,6 +50,16 @@ def test_keywords_of_a_former_version() -> None:
     assert one.message.endswith("of this file; and the same in 1 other file (b.launch.py)")
 
 
+def test_a_remapping_that_several_launch_files_have() -> None:
+    fact = "/manager has no topic or service /cmd: the remapping of cmd to /cmd_vel has no effect; correct the name, or remove the remapping; in demo/launch"
+    results = [
+        Result("haros-ci", "ineffective-remap", Level.WARNING, f"{fact}/{path}.", Location(path, 35), subject=("/manager", "/cmd"))
+        for path in ("a.launch.py", "b.launch.py")
+    ]  # fmt: skip
+    assert len(across(results)) == 1
+    assert len(across([results[0], replace(results[1], subject=("/manager", "/other"))])) == 2
+
+
 def test_the_report_of_people_has_them_once() -> None:
     run = Run(Tool("haros-ci"), results=(A, B, replace(C, subject=("/odom", "rate"))))
     (joined,) = together(Report(runs=(run,)), lambda path: "", lambda path: "demo").runs

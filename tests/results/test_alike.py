@@ -138,6 +138,32 @@ def test_elements_without_the_prefix_of_xacro() -> None:
     assert joined([unprefixed("wheel", 3), other]) == (unprefixed("wheel", 3), other)
 
 
+@pytest.mark.parametrize(
+    ("rule", "messages", "count"),
+    [
+        ("broken-robot-model", ["the <limit> of joint {} has no effort and no velocity: urdfdom rejects the whole robot; add the attribute."] * 3, 1),
+        ("broken-robot-model", ["the revolute joint {} has no <limit>: urdfdom rejects the whole robot; add <limit>."] * 2, 1),
+        (
+            "broken-robot-model",
+            ["the <limit> of joint {} has no effort: urdfdom rejects the whole robot.", "the <limit> of joint {} has no effort and no velocity: urdfdom rejects the whole robot."],
+            2,
+        ),
+        ("broken-robot-model", ["duplicate link '{}' in one robot: urdfdom rejects the robot; rename one of the two."] * 2, 2),
+        ("broken-robot-model", ["joint {} names the child link 'a', which the robot does not have: urdfdom rejects the robot."] * 2, 2),
+        ("generation-not-awaited", ["target {} includes arm/Pose.h, which is generated in arm, but does not depend on the generation: a clean build fails."] * 2, 1),
+        ("undeclared-dependency", ["target {} includes arm/Pose.h, but does not depend on the generation: it fails."] * 2, 2),
+    ],
+)  # fmt: skip
+def test_errors_of_one_cause_in_one_file(rule: str, messages: list[str], count: int) -> None:
+    found = [
+        Result(
+            "haros-ci", rule, Level.ERROR, message.format(f"j{i}"), Location("a.urdf", 10 * i), subject=("arm", f"j{i}")
+        )
+        for i, message in enumerate(messages, 1)
+    ]
+    assert len(joined(found)) == count
+
+
 def test_the_same_of_the_same_place_is_not_counted() -> None:
     """Two branches start a node that is given one file: what differs is where."""
     one, other = (replace(missing(3), related=(Related(Location("a.launch", line), "starts it"),)) for line in (26, 42))

@@ -12,6 +12,12 @@ from haros_ci.workspace.third_party import ThirdParty, around
 
 PACKAGES = {
     "src/demo_backup": "demo",
+    "src/demo (no usado)": "demo",
+    "src/walk2 (unused)": "walk",
+    "src/walk_unused": "run",
+    "src/demo_unused": "demo",
+    "src/demo_废弃": "demo",
+    "src/demo_usado": "demo",
     "src/arm_OLD": "arm",
     "src/state_backup": "state_backup",
     "src/demo": "demo",
@@ -42,6 +48,10 @@ FIRES = [
     ),
     ("third_party/json/json.hpp", (), (), "third_party"),
     ("src/demo_backup/src/a.cpp", (), (), "src/demo_backup"),
+    ("src/demo (no usado)/src/a.cpp", (), (), "src/demo (no usado)"),
+    ("src/demo_unused/src/a.cpp", (), (), "src/demo_unused"),
+    ("src/walk2 (unused)/src/a.cpp", (), (), "src/walk2 (unused)"),
+    ("src/demo_废弃/src/a.cpp", (), (), "src/demo_废弃"),
     ("src/arm_OLD/src/a.cpp", (), (), "src/arm_OLD"),
     ("3rd/json/json.hpp", (), (), "3rd"),
     ("src/demo/3rdparty/a.cpp", (), (), "src/demo/3rdparty"),
@@ -59,6 +69,7 @@ FIRES = [
     (f"{EIGEN}/src/LU/LU.h", eigen(), (), EIGEN),
     (f"{CHIP}/src/stm32f4xx_gpio.c", (f"{CHIP}/inc/stm32f4xx_gpio.h",), (), CHIP),
     (f"{CHIP}/Src/stm32f4xx_hal_gpio.c", (f"{CHIP}/Inc/stm32f4xx_hal_gpio.h",), (), CHIP),
+    ("yolo/darknet/src/gemm.c", ("yolo/darknet/include/darknet.h", "yolo/darknet/src/network.c"), (), "yolo/darknet"),
     ("fw/os/tasks.c", ("fw/os/queue.c", "fw/os/list.c", "fw/os/include/FreeRTOS.h"), (), "fw/os"),
 ]
 QUIET = [
@@ -67,6 +78,10 @@ QUIET = [
     ("src/other/a.cpp", ("src/other/LICENSE",), ()),
     ("src/state_backup/src/a.cpp", (), ()),
     ("src/other_old/src/a.cpp", (), ()),
+    ("src/other (no usado)/src/a.cpp", (), ()),
+    ("src/demo_usado/src/a.cpp", (), ()),
+    ("src/walk_unused/src/a.cpp", (), ()),
+    ("src/demo/darknet/src/gemm.c", ("src/demo/darknet/include/darknet.h",), ()),
     ("src/demo_backup/src/a.cpp", (), ("src/demo_backup",)),
     ("src/demo/src/a.cpp", ("src/demo/src/license.py",), ()),
     ("src/demo/src/a.cpp", ("src/demo/src/License.hpp",), ()),

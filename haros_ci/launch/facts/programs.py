@@ -67,7 +67,10 @@ class Programs:
             return False, _running(build, use.program), True
         if self._may_be_made(use, start):
             return None, (), False
-        return False, similar_names(use.program, names, use.package, 3), False
+        script, similar = f"{use.program}.py", similar_names(use.program, names, use.package, 3)
+        if script in names:  # nothing is nearer than the script without its ending
+            similar = (script, *(name for name in similar if name != script))[:3]
+        return False, similar, False
 
     def _is_described(self, name: str) -> bool:
         """Whether some package describes a nodelet of this look-up name: what stands before the slash need not be that package (pluginlib)."""

@@ -58,7 +58,8 @@ def actions_of(run: ScriptEvaluation, value: Value, place: Location, depth: int 
         return made_actions(run, value, depth)
     return (
         unknown_action(
-            f"{describe(value)} is no launch action that is known", getattr(value, "location", None) or place
+            f"{describe(value)} stands where an action belongs, and what it starts is not known",
+            getattr(value, "location", None) or place,
         ),
     )
 
