@@ -33,6 +33,8 @@ class Context:
     arguments: tuple[str, ...] | None
     #: Whether roslaunch starts the node, which adds words to its command line.
     is_launched: bool = field(default=False, kw_only=True)
+    #: Whether *parameter* knows what is set below the node's name, though a part of that is not known.
+    has_own: bool = field(default=False, kw_only=True)
     #: The classes that pluginlib can load, by look-up name: where they are defined.
     plugins: Mapping[str, PluginDescription]
     #: Where a node is followed for all that its plug-ins could make: the workspace's plug-ins by base class.
@@ -68,3 +70,9 @@ class Context:
     marks: Marks = field(default_factory=Marks)
     #: Whether to stop at the first name that the node gives itself (a value, and whether it is made anonymous).
     renames: Function_[[Value, bool | None], bool] = lambda name, anonymous: False
+
+    def is_asked(self, name: str) -> bool:
+        """Whether it is known which parameter a full name is: all of it is, or all that stands behind the node's own name."""
+        return "?" not in name or (
+            self.has_own and name.startswith(f"{self.name}/") and "?" not in name[len(self.name) :]
+        )

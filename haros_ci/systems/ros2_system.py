@@ -195,7 +195,7 @@ def nodes_of(
     followed = run_process(types, entry, files, started, node)
     unknowns = (*node.unknowns, *incomplete(followed, entry, node.location))
     if not followed.nodes:
-        ends = endpoints(followed.made, lambda item: item.name, NOTHING)
+        ends = endpoints(followed.made, lambda item: item.name, NOTHING.get)
         is_node = is_named or ends or node.source == "launch" or outside_nodes.NO_NODE in followed.gaps
         if node.source != "launch":
             node = replace(node, name="/?", process="/?") if is_node else node
@@ -247,7 +247,7 @@ def _of_no_node(node: Node, followed: Followed) -> Iterable[Unknown]:
 def _ends(types: Types, followed: Followed) -> Mapping[str, tuple[Endpoint, ...]]:
     """The endpoints of each node of a process, made once for all that are alike."""
     if id(followed) not in types.ends:
-        made = {name: endpoints(items, final, NOTHING) for name, items in grouped(followed).items()}
+        made = {name: endpoints(items, final, NOTHING.get) for name, items in grouped(followed).items()}
         types.ends[id(followed)] = (followed, made)
     return types.ends[id(followed)][1]
 

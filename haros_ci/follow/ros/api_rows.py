@@ -321,7 +321,7 @@ def _items(applied: selectors.Applied, entry: Entry) -> list[Mapping[str, Value]
 
 def parameter_value(applied: selectors.Applied, name: str, default: Value | None) -> Value | None:
     """What reading parameter *name* gives: what the configuration sets, else the default; None if there is neither."""
-    if "?" in name:
+    if not applied.walk.context.is_asked(name):
         return Opaque("the parameter's name is not known")
     found = applied.walk.parameter(clean(name))
     if found is None:
