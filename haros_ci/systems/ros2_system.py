@@ -16,7 +16,7 @@ from haros_ci.graph.names import clean
 from haros_ci.graph.parameters import ParameterServer
 from haros_ci.graph.remap_rules import of_ros2_node, ros2_rules
 from haros_ci.graph.ros2_process import InContainer, Parameters, RemappingRule, RosNode, ros_arguments, rule_of, schemed
-from haros_ci.graph.words import shell_words
+from haros_ci.graph.words import shell_words, with_parts
 from haros_ci.keeping.kept import Followed
 from haros_ci.model.architecture import KINDS, Endpoint, Node, Parameter, Unknown
 from haros_ci.model.launch import LaunchedNode
@@ -115,7 +115,8 @@ def started_by(node: LaunchedNode) -> Started:
     if node.kind == "component" and node.container is not None:
         around = _naming(node.container)
     written = ros2_rules((*more.rules, *message.rules), node.rules, node.location)
-    return Started(rules, Parameters(node.parameters), more.rest, node.kind == "component", written, around)
+    words = with_parts(node.arguments, more.rest)
+    return Started(rules, Parameters(node.parameters), words, node.kind == "component", written, around)
 
 
 def _naming(full: str) -> tuple[RemappingRule, ...]:
