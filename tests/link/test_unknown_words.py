@@ -28,7 +28,9 @@ MAIN = """int main(int argc, char ** argv) {
 
 
 def started(launch: str, name: str) -> Node:
-    cmake = ROS2_CMAKE.format("p") + "ament_auto_add_executable(n src/n.cpp)\nament_auto_package(INSTALL_TO_SHARE launch)\n"
+    cmake = (
+        ROS2_CMAKE.format("p") + "ament_auto_add_executable(n src/n.cpp)\nament_auto_package(INSTALL_TO_SHARE launch)\n"
+    )
     files = {"p/CMakeLists.txt": cmake, "p/src/n.cpp": ROS2_HEAD + MAIN, f"p/launch/{name}": launch}
     return follow(files, 2).configurations[0].nodes[0]
 

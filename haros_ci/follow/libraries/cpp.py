@@ -134,7 +134,7 @@ def function(  # noqa: C901 - one branch for each modelled function
         return library_xml.directory(walk, args[0].value)
     if name == "std::make_pair" and len(args) == 2:
         return Object("std::pair", fields={"first": Cell(args[0].value), "second": Cell(args[1].value)})
-    if name.startswith(("std::", "boost::")):
+    if name.startswith(("std::", "boost::", "mrpt::")):
         text = algorithms.rewritten(walk, name, args)
         if text is not None:
             return text
