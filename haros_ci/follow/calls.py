@@ -196,7 +196,7 @@ def method_call(  # noqa: C901 - one branch for each kind of receiver, in the or
                     if found is not None:
                         return found
         else:
-            handle = api_rows.node_class(walk, name, frame.source.separator)
+            handle = api_rows.node_class(walk, name, frame.source.separator, len(args), bool(targs))
             if handle:
                 stand_in = Object(handle, namespace=receiver)
                 qualified = f"{handle}{frame.source.separator}{name}"
@@ -205,22 +205,24 @@ def method_call(  # noqa: C901 - one branch for each kind of receiver, in the or
                     return found
         walk.calls_unknown |= name == "second"  # a function of a map
         return library.unknown_call(walk, frame, name, args, receiver)
-    if isinstance(receiver, Library) and receiver.this is None and _is_of_a_handle(frame, name, args):
+    of = "" if not isinstance(receiver, Library) or receiver.this else _handle_of(frame, name, args, targs)
+    if isinstance(receiver, Library) and of:
         space = walk.opaque(f"what {receiver.name} is is not known", frame, location.line)
-        stand_in = Object("ros::NodeHandle", namespace=space)
-        found = api_rows.call(walk, frame, f"ros::NodeHandle::{name}", stand_in, args, targs, location)
+        found = api_rows.call(walk, frame, f"{of}::{name}", Object(of, namespace=space), args, targs, location)
         if found is not None:
             return found
     function = members.attribute(walk, receiver, name, frame)
     return apply(walk, frame, function, args, targs, location, syntax.Name(name))
 
 
-def _is_of_a_handle(frame: Frame, name: str, args: tuple[call_arguments.PassedArgument, ...]) -> bool:
-    """Whether a method of an object that is not declared in the workspace must be one of a node handle."""
+def _handle_of(
+    frame: Frame, name: str, args: tuple[call_arguments.PassedArgument, ...], targs: tuple[syntax.Argument, ...]
+) -> str:
+    """The class, a node handle's or another, that a method of an object that is not declared in the workspace must be of; "" if none."""
     if frame.source.separator != "::":
-        return False
-    calls_back = any(isinstance(argument.value, Callable) for argument in args)
-    return name in api_rows.UNMISTAKABLE or (name == "subscribe" and len(args) > 2 and calls_back)
+        return ""
+    calls_back = name == "subscribe" and len(args) > 2 and any(isinstance(one.value, Callable) for one in args)
+    return api_rows.handle(name, len(args), bool(targs)) or ("ros::NodeHandle" if calls_back else "")
 
 
 def _of_base(
