@@ -19,7 +19,7 @@ _LITERALS = (syntax.String, syntax.Number)
 
 
 @contextmanager
-def told(walk: Walk, frame: Frame, test: Expression) -> Iterator[None]:
+def narrowed(walk: Walk, frame: Frame, test: Expression) -> Iterator[None]:
     """Inside, variables have the values that *test* says they have, as long as nothing else is assigned to them."""
     held: list[tuple[Cell, Value, Value]] = []
     names: list[str] = []
