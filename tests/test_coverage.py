@@ -207,6 +207,20 @@ def test_each_call_is_accounted_for_with_a_reason(workspace: Path, capsys: pytes
     ]
 
 
+@pytest.mark.parametrize(
+    "call",
+    [
+        'create_publisher<\nstd_msgs::msg::Bool>(\n"light", 1);',
+        'message_filters::Subscriber<std_msgs::msg::Bool>\n  light(this,\n  "light");',
+        'message_filters::Subscriber<\n  std_msgs::msg::Bool> light(\n  this, "light");',
+    ],
+)
+def test_a_call_over_several_lines_is_one(workspace: Path, capsys: pytest.CaptureFixture[str], call: str) -> None:
+    code = LAMP.replace('declare_parameter("rate", 5);', call)
+    write(workspace, {"src/lamp/src/lamp.cpp": code})
+    assert [site.state for site in sites(capsys) if site.path.endswith("/lamp.cpp")].count("endpoint") == 2
+
+
 def test_files_without_a_target_and_tests_are_told_apart(workspace: Path, capsys: pytest.CaptureFixture[str]) -> None:
     found = sites(capsys)
     old = {(each.state, each.reason) for each in found if each.path.endswith("old.cpp")}

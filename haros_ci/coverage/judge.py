@@ -47,6 +47,8 @@ class TextSite:
     column: int
     start_line: int
     start_column: int
+    #: Of the bracket before its arguments: ``Name<T>`` and the variable may stand on two lines.
+    opening_line: int
 
 
 def found_in(code: Codebase, source: Source, text: str, names: Names, found: Iterable[TextCall]) -> Iterator[TextSite]:
@@ -57,7 +59,7 @@ def found_in(code: Codebase, source: Source, text: str, names: Names, found: Ite
             continue
         line, first = bisect_right(lines, call.offset), bisect_right(lines, call.start)
         column, start = call.offset - lines[line - 1] + 1, call.start - lines[first - 1] + 1
-        yield TextSite(source, call, line, column, first, start)
+        yield TextSite(source, call, line, column, first, start, bisect_right(lines, call.opening))
 
 
 def _scopes(code: Codebase, source: Source) -> list[str]:
@@ -112,11 +114,11 @@ class Places:
     lines: frozenset[tuple[str, int]]
 
     def has(self, found: TextSite) -> bool:
-        """Whether one stands at the call: where its expression or its name begins."""
+        """Whether one stands at the call: where its expression, its name or its arguments begin."""
         path = found.source.path
         if (path, found.start_line, found.start_column) in self.exact:
             return True
-        return (path, found.line) in self.lines or (path, found.start_line) in self.lines
+        return any((path, line) in self.lines for line in (found.line, found.start_line, found.opening_line))
 
 
 def places_of(locations: Iterable[tuple[str, int, int]]) -> Places:

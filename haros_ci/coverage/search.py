@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 
 from haros_ci.coverage.blanked import closed
@@ -37,11 +37,12 @@ _WORD = re.compile(r"[A-Za-z_]\w*\Z")
 
 @dataclass(frozen=True, slots=True)
 class TextCall:
-    """A call in a file's text: *offset* is that of its *name*, *start* that of the expression, receiver included."""
+    """A call in a file's text: *offset* is that of its *name*, *start* that of the expression, receiver included, *opening* that of its arguments."""
 
     name: str
     offset: int
     start: int
+    opening: int
     end: int
     #: The class whose object is made, as it is written; "" for functions and methods.
     made: str = ""
@@ -62,8 +63,8 @@ def calls_in(text: str, names: Names, language: str) -> Iterator[TextCall]:
             call = _object(text, name, offset, found.end(), is_python)
         else:
             call = _function(text, names, found, before, is_python, starts)
-        if call is not None and _has_argument(text, call.end, is_python):
-            yield TextCall(call.name, call.offset, call.start, closed(text, call.end, _READ), call.made)
+        if call is not None and _has_argument(text, call.opening, is_python):
+            yield replace(call, end=closed(text, call.opening, _READ))
 
 
 @lru_cache(maxsize=8)
@@ -98,7 +99,7 @@ def _function(
         if declared is not None and declared[1] not in _NO_TYPES and "&&" not in declared[0]:
             return None
     starts[offset] = _start(text, offset, starts)
-    return TextCall(name, offset, starts[offset], opening)
+    return TextCall(name, offset, starts[offset], opening, opening)
 
 
 def _object(text: str, name: str, offset: int, end: int, is_python: bool) -> TextCall | None:
@@ -111,7 +112,7 @@ def _object(text: str, name: str, offset: int, end: int, is_python: bool) -> Tex
         place = (start, opening) if opening is not None else None
     else:
         place = _constructed(text, start, end, is_qualified=bool(path))
-    return TextCall(name, offset, *place, path + name) if place is not None else None
+    return TextCall(name, offset, *place, place[1], path + name) if place is not None else None
 
 
 def _constructed(text: str, start: int, end: int, is_qualified: bool) -> tuple[int, int] | None:

@@ -3,25 +3,17 @@
 
 from __future__ import annotations
 
-import re
 from dataclasses import replace
 
-from haros_ci import syntax
-from haros_ci.follow import beside, call_arguments, methods, partials, setters
+from haros_ci.follow import beside, call_arguments, methods, partials, qt, setters
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import objects as library_objects
 from haros_ci.follow.made import SEVERAL, Root, counts_alone, either
 from haros_ci.follow.walk import CHAIN, ROOTS, Walk
 from haros_ci.model.architecture import Condition
 from haros_ci.model.location import Location
-from haros_ci.syntax import Expression
 from haros_ci.values.abstract import NONE, Callable, Choice, Known, Object, Pointer, Value
 
-#: The macros that name a signal or slot (QObject).
-QT = frozenset(("SLOT", "SIGNAL"))
-
-#: Classes of Qt, and slots that it connects by their names.
-_WIDGET, _SLOT = re.compile(r"Q[A-Z]\w{1,60}"), re.compile(r"on_\w{1,80}_[a-z]\w{1,40}")
 #: Why what a callback makes may not be made.
 ONE_OF = "one of several functions is called back"
 
@@ -132,14 +124,6 @@ def _in_common(walk: Walk, known: Root, other: Root) -> tuple[tuple[Condition, .
     return conditions, None if certain else known.doubt or other.doubt or (None if is_all else SEVERAL)
 
 
-def signature(walk: Walk, frame: Frame, macro: str, written: tuple[Expression, ...]) -> Value:
-    """``SLOT(method(types))`` and ``SIGNAL(...)`` call nothing: a slot of the object is called by a signal later (QObject)."""
-    named: Expression = written[0] if len(written) == 1 else syntax.Null()
-    if macro == "SLOT" and frame.this is not None and type(named) is syntax.Call and type(named.callee) is syntax.Name:
-        register(walk, methods.method_of(walk, frame.this, named.callee.name) or NONE)
-    return walk.opaque(f"what {macro} is", frame)
-
-
 def _is_endless(walk: Walk, function: Callable) -> bool:
     """Whether callbacks go on registering *function*, each time for another object.
 
@@ -168,22 +152,8 @@ def framework_entries(walk: Walk, this: Object) -> None:
                     if owner.startswith(beside.BEGINNING):
                         beside.note(walk, method)
     _entries_of_unknown_base(walk, this)
-    _slots(walk, this)
+    qt.called(walk, this)
     _destructor(walk, this)
-
-
-def _slots(walk: Walk, this: Object) -> None:
-    """Slots that Qt connects by their names, ``on_<object>_<signal>`` (QMetaObject::connectSlotsByName, which setupUi calls)."""
-    if this.definition is None or this.definition[0].separator != "::":
-        return
-    key = ("slots", this.definition[1].name, this.definition[0].path)
-    if key not in walk.found:
-        is_widget = any(_WIDGET.fullmatch(base) for base in methods.library_bases(walk, *this.definition))
-        owner = f"{this.definition[1].name}::"
-        every = sorted(name for name in dict.keys(walk.index.functions) if name.startswith(owner)) if is_widget else []
-        walk.found[key] = [name[len(owner) :] for name in every if _SLOT.fullmatch(name, len(owner))]
-    for name in walk.found[key]:
-        register(walk, methods.method_of(walk, this, name) or NONE)
 
 
 def _destructor(walk: Walk, this: Object) -> None:

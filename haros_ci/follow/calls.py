@@ -9,14 +9,15 @@ from haros_ci import syntax
 from haros_ci.follow import (
     activation,
     alternatives,
+    associated,
     beside,
     call_arguments,
-    callbacks,
     commands,
     construct,
     dynamic,
     expressions,
     follow,
+    handles,
     library_calls,
     linear,
     managers,
@@ -24,6 +25,7 @@ from haros_ci.follow import (
     methods,
     packs,
     partials,
+    qt,
     specialisations,
     static_types,
     twins,
@@ -98,11 +100,13 @@ def call(walk: Walk, frame: Frame, expression: syntax.Call) -> Value:
         return method_call(walk, frame, receiver, receiver_cell, name, args, targs, location)
     callee, targs = static_types.member_called(walk, frame, callee, targs)
     function = expressions.evaluate(walk, frame, callee)
-    if isinstance(function, Library) and function.name in callbacks.QT:
-        return callbacks.signature(walk, frame, function.name, written)
+    if isinstance(function, Library) and function.name in qt.MACROS:
+        return qt.signature(walk, frame, function.name, written)
     if isinstance(function, Pointer):
         function = function.cell.value
-    return apply(walk, frame, function, call_arguments.arguments(walk, frame, written), targs, location, callee)
+    args = call_arguments.arguments(walk, frame, written)
+    function = associated.meant(walk, frame, callee, function, args)
+    return apply(walk, frame, function, args, targs, location, callee)
 
 
 def _is_of_pointer(walk: Walk, frame: Frame, callee: syntax.Member, cell: Cell) -> bool:
@@ -205,7 +209,7 @@ def method_call(  # noqa: C901 - one branch for each kind of receiver, in the or
                     return found
         walk.calls_unknown |= name == "second"  # a function of a map
         return library.unknown_call(walk, frame, name, args, receiver)
-    of = "" if not isinstance(receiver, Library) or receiver.this else _handle_of(frame, name, args, targs)
+    of = "" if not isinstance(receiver, Library) or receiver.this else handles.by_method(frame, name, args, targs)
     if isinstance(receiver, Library) and of:
         space = walk.opaque(f"what {receiver.name} is is not known", frame, location.line)
         found = api_rows.call(walk, frame, f"{of}::{name}", Object(of, namespace=space), args, targs, location)
@@ -213,16 +217,6 @@ def method_call(  # noqa: C901 - one branch for each kind of receiver, in the or
             return found
     function = members.attribute(walk, receiver, name, frame)
     return apply(walk, frame, function, args, targs, location, syntax.Name(name))
-
-
-def _handle_of(
-    frame: Frame, name: str, args: tuple[call_arguments.PassedArgument, ...], targs: tuple[syntax.Argument, ...]
-) -> str:
-    """The class, a node handle's or another, that a method of an object that is not declared in the workspace must be of; "" if none."""
-    if frame.source.separator != "::":
-        return ""
-    calls_back = name == "subscribe" and len(args) > 2 and any(isinstance(one.value, Callable) for one in args)
-    return api_rows.handle(name, len(args), bool(targs)) or ("ros::NodeHandle" if calls_back else "")
 
 
 def _of_base(

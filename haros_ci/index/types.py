@@ -91,6 +91,8 @@ def resolve_type(  # noqa: C901 - the order of the rules of name lookup
 ) -> Type:
     """*kind* with its aliases and template parameters replaced, all names qualified as far as the workspace tells."""
     name, arguments, marks = kind.name, kind.arguments, kind.marks
+    if name.startswith("::"):  # from the global namespace on ([basic.lookup.qual])
+        name, scope, templates = name[2:], "", {}
     index.resolving = index.resolving + 1 if depth else 0
     if not name or depth > 20 or index.resolving > MOST:
         return syntax.Type(name, (), marks)

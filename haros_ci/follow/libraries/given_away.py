@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 #: What frameworks commonly call first; other methods are known to be called from outside by ``virtual`` or ``override`` alone.
 BEGINNING = frozenset("init initialize onInit onInitialize setup configure load start".split())
-#: Base classes whose libraries call nothing that is overridden, or what the API rows tell.
+#: Base classes whose libraries call nothing that is overridden, or what the API rows and ``follow.qt`` tell.
 KNOWN = frozenset("std boost ros nodelet rclcpp rviz rclpy rospy object Exception".split())
 #: Modules and classes of Python's own library, and of toolkits that call what is given to them alone.
 KNOWN_PYTHON = frozenset(
@@ -120,7 +120,7 @@ def started(walk: Walk, name: str, this: Object) -> None:
 
 
 def is_known(base: str) -> bool:
-    """Whether a class is of a library that is known to call nothing that is overridden; those of Qt are ``QObject`` and the like."""
+    """Whether it is known of a class's library what it calls of the methods that are overridden; those of Qt are ``QObject`` and the like."""
     first, *rest = base.replace("::", ".").split(".")
     is_of_qt = _QT.match(first) is not None and (not rest or first.startswith("Qt"))
     return first in KNOWN or first.startswith(_BEGINNINGS) or is_of_qt
