@@ -7,6 +7,7 @@ import posixpath
 import re
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
+from functools import cached_property
 from hashlib import blake2b
 from typing import Any
 
@@ -134,16 +135,17 @@ class ParameterServer:
         found = own.get(name[len(node) :], under)
         if isinstance(found, Opaque):
             return found
-        for other in self._elsewhere():
+        for other in self._elsewhere:
             if _meet(other.name, name):
                 reason = next((f"it may be set: {why.reason}" for why in other.unknowns), "it may be set")
                 return Perhaps(reason, other.location)
         return found
 
-    def _elsewhere(self) -> Iterable[Parameter]:
+    @cached_property
+    def _elsewhere(self) -> list[Parameter]:
         """What no tag of a node sets, for whose parameters only the node itself asks by a name that is not known."""
         every = (parameter for parameters in self._by_name.values() for parameter in parameters)
-        return (one for one in (*every, *(parameter for _, parameter in self._vague)) if not one.is_of_node)
+        return [one for one in (*every, *(parameter for _, parameter in self._vague)) if not one.is_of_node]
 
     def _below(self, name: str) -> Value | None:
         """What is inside a parameter that may be a map."""
