@@ -536,7 +536,6 @@ DEFECTS = (
     | because(
         ("first values and default arguments are computed when they are first used (lookup.global_cell, bind)"),
         "default evaluated once",
-        "mutable default",
         "class attribute evaluated once",
     )
     | because(
