@@ -28,6 +28,12 @@ if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
 os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
 sys.dont_write_bytecode = False
 
+# Repositories of a few files that live for a second need no upkeep, and outlive no machine.
+_GIT = {"maintenance.auto": "false", "core.fsync": "none"}
+os.environ["GIT_CONFIG_COUNT"] = str(len(_GIT))
+for _number, (_key, _value) in enumerate(_GIT.items()):
+    os.environ[f"GIT_CONFIG_KEY_{_number}"], os.environ[f"GIT_CONFIG_VALUE_{_number}"] = _key, _value
+
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     for item in items:

@@ -127,11 +127,11 @@ def _unpack(walk: Walk, frame: Frame, targets: tuple[Expression, ...], value: Va
         items = [cell.value for cell in value.content.value]
     elif isinstance(value, Object) and value.name == tuples.PAIR:
         items = [cell.value for number in range(2) if (cell := tuples.part(value, number)) is not None]
-    known = items is not None and len(items) == len(targets) and not any(type(item) is syntax.Star for item in targets)
+    elif isinstance(value, Known) and issubclass(value.kind, list):
+        items = [Known(item) for item in value.of(list)]
+    parts = _parts(items, targets) if items is not None else None
     for index, item in enumerate(targets):
-        one: Value = walk.opaque("it is unpacked from what is not known", frame)
-        if known and items is not None:
-            one = items[index]
+        one = parts[index] if parts is not None else walk.opaque("it is unpacked from what is not known", frame)
         if type(item) is syntax.Star:
             item = item.value
         if type(item) is syntax.ListLiteral:
@@ -143,6 +143,18 @@ def _unpack(walk: Walk, frame: Frame, targets: tuple[Expression, ...], value: Va
         else:
             walk.state.write(cell, conversions.converted(one, cell.type))
     return value
+
+
+def _parts(items: list[Value], targets: tuple[Expression, ...]) -> list[Value] | None:
+    """What each of *targets* gets of *items*, one with a star the list of the rest; None where their numbers differ."""
+    starred = [index for index, item in enumerate(targets) if type(item) is syntax.Star]
+    if not starred:
+        return items if len(items) == len(targets) else None
+    rest = len(items) - len(targets) + 1
+    if len(starred) > 1 or rest < 0:
+        return None
+    first, last = starred[0], starred[0] + rest
+    return [*items[:first], Sequence(Cell(tuple(map(Cell, items[first:last])))), *items[last:]]
 
 
 def _target(walk: Walk, frame: Frame, target: Expression) -> Cell | None:

@@ -71,10 +71,9 @@ def call(walk: Walk, frame: Frame, expression: syntax.Call) -> Value:
     if type(callee) is syntax.Member:
         name = callee.name
         receiver_cell, receiver = expressions.located(walk, frame, callee.object)
-        smart = receiver_cell is not None and is_smart_pointer(receiver_cell.type)
         args = call_arguments.arguments(walk, frame, written)
-        if smart and receiver_cell is not None and _is_of_pointer(walk, frame, callee, receiver_cell):
-            return library.pointer_method(walk, receiver_cell, name, args)
+        if receiver_cell is not None and _is_of_pointer(walk, frame, callee, receiver_cell):
+            return library.pointer_method(walk, frame, receiver_cell, name, args, location)
         if isinstance(receiver, Pointer):
             receiver_cell, receiver = receiver.cell, receiver.cell.value
         elif isinstance(receiver, Object) and receiver.name == iterators.ITERATOR:
@@ -111,8 +110,9 @@ def call(walk: Walk, frame: Frame, expression: syntax.Call) -> Value:
 
 def _is_of_pointer(walk: Walk, frame: Frame, callee: syntax.Member, cell: Cell) -> bool:
     """Whether a method is one of the smart pointer in *cell*: ``p.reset()``, and ``it->reset()`` of an iterator over pointers; ``p->reset()`` is the object's."""
-    if callee.name not in library.POINTER_METHODS or type(callee.object) is not syntax.Dereference:
-        return callee.name in library.POINTER_METHODS
+    is_one = is_smart_pointer(cell.type) and callee.name in library.pointer_methods(cell.type)
+    if not is_one or type(callee.object) is not syntax.Dereference:
+        return is_one
     of = callee.object.value
     return isinstance(of, (syntax.Name, syntax.Member)) and expressions.cell_of(walk, frame, of) is not cell
 

@@ -23,7 +23,7 @@ from haros_ci.follow import (
 )
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import objects as library_objects
-from haros_ci.follow.libraries import texts, tuples
+from haros_ci.follow.libraries import optionals, texts, tuples
 from haros_ci.follow.walk import Walk
 from haros_ci.index.index import Source
 from haros_ci.index.ros_types import parameter_type
@@ -101,7 +101,8 @@ def create(
 ) -> Value:
     """An instance of the resolved type *kind*, constructed from *arguments*."""
     if is_smart_pointer(kind):
-        return arguments[0].value if arguments else NONE
+        held = optionals.created(walk, frame, kind, arguments, location) if optionals.is_one(kind) else None
+        return held or (arguments[0].value if arguments else NONE)
     name = kind.name
     if name in STRINGS:
         return conversions.converted(texts.constructed(arguments), kind)

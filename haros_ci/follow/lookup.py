@@ -12,7 +12,7 @@ from haros_ci.follow import construct, conversions, members, methods, object_mac
 from haros_ci.follow.frames import NEXT, Frame
 from haros_ci.follow.libraries import cpp as library_cpp
 from haros_ci.follow.libraries import numbers as library_numbers
-from haros_ci.follow.libraries import python_modules, python_numbers
+from haros_ci.follow.libraries import optionals, python_modules, python_numbers
 from haros_ci.follow.ros import qos
 from haros_ci.follow.walk import Walk
 from haros_ci.index.common_messages import NAMES
@@ -20,7 +20,7 @@ from haros_ci.index.index import EITHER, Source
 from haros_ci.index.types import MAPS, SEQUENCES
 from haros_ci.model.location import Location
 from haros_ci.syntax import Type
-from haros_ci.values.abstract import Callable, Cell, ClassValue, Known, Library, Module, Object, Value, join, tick
+from haros_ci.values.abstract import NONE, Callable, Cell, ClassValue, Known, Library, Module, Object, Value, join, tick
 
 
 def named_cell(walk: Walk, frame: Frame, name: str) -> Cell | None:
@@ -190,6 +190,8 @@ def _global_name(walk: Walk, frame: Frame, name: str) -> Value | object_macros.O
             method = methods.tail_method(walk, resolved.name if "::" in resolved.name else name, frame.source)
         if method is not None:
             return Callable(*method)
+    if resolved.name in optionals.EMPTY:
+        return NONE
     if resolved.name.endswith("string::npos"):
         return Known(conversions.NPOS)
     constant = NAMES.get(resolved.name, library_numbers.CONSTANTS.get(name))

@@ -220,10 +220,20 @@ def mapped(walk: Walk, frame: Frame, receiver: Mapped, name: str, args: tuple[Pa
     return None
 
 
-def swapped(walk: Walk, args: tuple[PassedArgument, ...]) -> Value | None:
-    """``swap(a, b)`` of texts, numbers, pointers and whole containers; None for all else."""
+#: Functions that put another value into their first argument.
+SWAPS = frozenset(("std::swap", "boost::swap", "swap", "std::exchange", "boost::exchange"))
+
+
+def swapped(walk: Walk, name: str, args: tuple[PassedArgument, ...]) -> Value | None:
+    """``swap(a, b)`` of texts, numbers, pointers and whole containers, ``std::exchange(a, b)`` of texts and numbers; None for all else."""
     one, other = args[0].cell, args[1].cell
     plain = (Known, Text, Choice, Opaque)
+    if name.endswith("exchange"):
+        if one is None or not isinstance(one.value, plain) or not isinstance(args[1].value, plain):
+            return None
+        before = one.value
+        walk.state.write(one, conversions.converted(args[1].value, one.type))
+        return before
     if one is None or other is None:
         return None
     is_plain = isinstance(one.value, plain) and isinstance(other.value, plain)

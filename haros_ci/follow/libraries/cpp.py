@@ -65,7 +65,7 @@ BINDERS = frozenset(("boost::bind", "std::bind", "bind"))
 MAKERS = frozenset(
     f"{space}::{name}"
     for space in ("boost", "std")
-    for name in ("make_shared", "make_unique", "shared_ptr", "unique_ptr")
+    for name in ("make_shared", "make_unique", "make_optional", "shared_ptr", "unique_ptr")
 )
 TRANSPARENT = frozenset(
     "std::move std::forward std::ref std::cref boost::ref boost::cref std::string string boost::shared_ptr "
@@ -143,7 +143,7 @@ def function(  # noqa: C901 - one branch for each modelled function
         if targs:
             kind = walk.type_in(targs[0], frame) if type(targs[0]) is syntax.Type else syntax.NOTHING
             return given_away.constructed(walk, construct.create(walk, frame, kind.bare(), args, location))
-        return None
+        return args[0].value if args and name.endswith("_optional") else None
     if name in TRANSPARENT and len(args) in (1, 2):
         value = args[0].value
         if name.endswith("to_string"):
@@ -176,8 +176,8 @@ def function(  # noqa: C901 - one branch for each modelled function
     if name in ("std::getline",) and len(args) >= 2 and args[1].cell is not None:
         walk.state.write(args[1].cell, walk.opaque("it is read from a stream", frame, None, args[1].cell.type))
         return walk.opaque("whether a stream has more is not known", frame, None, syntax.Type("bool"))
-    if name in ("std::swap", "boost::swap", "swap") and len(args) == 2 and args[0].cell is not None:
-        return library_containers.swapped(walk, args)
+    if name in library_containers.SWAPS and len(args) == 2 and args[0].cell is not None:
+        return library_containers.swapped(walk, name, args)
     return _put_together(walk, frame, name, args, targs)
 
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from haros_ci import syntax
 from haros_ci.follow import beside, callbacks, methods, thrown, unknown_calls
 from haros_ci.follow.frames import Frame
-from haros_ci.follow.libraries import containers, given_away, harmless
+from haros_ci.follow.libraries import containers, given_away, harmless, optionals
 from haros_ci.follow.libraries import cpp as library_cpp
 from haros_ci.follow.libraries import python as library_python
 from haros_ci.follow.ros import ros2_nodes
@@ -23,8 +23,17 @@ if TYPE_CHECKING:
 POINTER_METHODS = frozenset(("reset", "get", "release", "use_count", "unique", "swap"))
 
 
-def pointer_method(walk: Walk, cell: Cell, name: str, args: tuple[PassedArgument, ...]) -> Value:
+def pointer_methods(kind: Type | None) -> frozenset[str]:
+    """The methods of a smart pointer or optional of that type itself."""
+    return POINTER_METHODS | optionals.METHODS if optionals.is_one(kind) else POINTER_METHODS
+
+
+def pointer_method(
+    walk: Walk, frame: Frame, cell: Cell, name: str, args: tuple[PassedArgument, ...], location: Location
+) -> Value:
     """A method of a smart pointer itself; its value is the object that it points to."""
+    if name in optionals.METHODS:
+        return optionals.method(walk, frame, cell, name, args, location)
     if name == "reset":
         walk.state.write(cell, args[0].value if args else NONE)
         return NONE
@@ -63,6 +72,8 @@ def method(
         found = library_cpp.method(walk, frame, receiver, cell, name, args, location, targs)
         if found is None and name == "get" and not args and isinstance(receiver, Object):
             found = _pointed_to(walk, receiver)
+        if found is None and name in optionals.READERS and isinstance(receiver, (Known, Text)):
+            found = optionals.read(walk, frame, receiver, name, args, location)  # texts and numbers have none of them
     if found is not None or not isinstance(receiver, (Known, Text, Sequence, Mapped)) or name in harmless.READERS:
         return found
     if isinstance(receiver, Known) and not issubclass(receiver.kind, (str, list, dict)):

@@ -298,7 +298,7 @@ def blocks(draw: st.DrawFn, depth: int = 0) -> list[str]:
     return lines
 
 
-@settings(max_examples=300, deadline=None, suppress_health_check=list(HealthCheck))
+@settings(max_examples=100, deadline=None, suppress_health_check=list(HealthCheck))
 @given(blocks())
 def test_random_programs(lines: list[str]) -> None:
     inside = "\n".join(f"    {line}" for line in lines)
