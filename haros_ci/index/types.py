@@ -107,6 +107,9 @@ def resolve_type(  # noqa: C901 - the order of the rules of name lookup
 
     def inner(item: Argument) -> Argument:
         if isinstance(item, Type):
+            number = templates.get(item.name) if templates else None
+            if type(number) is syntax.Number:
+                return number
             return resolve_type(index, item, scope, source, files, templates, depth + 1)
         return item
 
