@@ -251,9 +251,10 @@ def _imported_name(walk: Walk, frame: Frame, name: str) -> Value | None:
         return value
     for alias in reversed(frame.source.program.aliases):
         if alias.name == "*":
-            value = imported(walk, frame, f"{alias.type.name.removesuffix('.*')}.{name}")
-            if not isinstance(value, Library):
-                return value
+            target = f"{alias.type.name.removesuffix('.*')}.{name}"
+            value = imported(walk, frame, target)
+            if not isinstance(value, Library) or value.name != python_modules.absolute(frame.source, target):
+                return value  # a module of the workspace has it from there
     return None
 
 
