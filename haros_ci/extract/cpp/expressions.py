@@ -98,7 +98,13 @@ def _name(unit: Unit, node: Node, depth: int) -> syntax.Expression:
 
 
 def _qualified(unit: Unit, node: Node, depth: int) -> syntax.Expression:
-    return syntax.Name(types.path(unit, node, depth)[0])
+    name, arguments = types.path(unit, node, depth)
+    trait = name.removesuffix("_v").removesuffix("::value")
+    if (
+        trait != name and arguments and trait.startswith("std::is_")
+    ):  # a question about types is one call, in both forms
+        return syntax.Call(syntax.Name(trait), (), arguments, *unit.position(node))
+    return syntax.Name(name)
 
 
 def _binary(unit: Unit, node: Node, depth: int) -> syntax.Expression:

@@ -59,8 +59,8 @@ _PARAMETER = kinds(
     "parameter_declaration optional_parameter_declaration variadic_parameter_declaration"
     " explicit_object_parameter_declaration"
 )
-#: What RCLCPP_SMART_PTR_DEFINITIONS gives a class (rclcpp/macros.hpp).
-_MAKERS = ("make_shared", "make_unique")
+#: What RCLCPP_SMART_PTR_DEFINITIONS gives a class (rclcpp/macros.hpp), and a question about types its answer.
+_MAKERS = ("make_shared", "make_unique", "value")
 _PACK = kinds("variadic_parameter_declaration")
 _EQUALS = kinds("=")
 _TRAILING = kinds("trailing_return_type")

@@ -17,6 +17,7 @@ from haros_ci.follow.libraries import (
     moves,
     patterns,
     texts,
+    traits,
     tuples,
 )
 from haros_ci.follow.libraries import bind as library_bind
@@ -196,7 +197,7 @@ def _put_together(
     if name in ("sprintf", "snprintf", "std::sprintf", "std::snprintf") and args and args[0].cell is not None:
         walk.state.write(args[0].cell, formats.printf(walk, frame, args[1:], name.endswith("snprintf")))
         return walk.opaque("the length of a text", frame, None, syntax.Type("int"))
-    return None
+    return traits.decided(walk, frame, name, targs) if targs and not args else None
 
 
 def protected(walk: Walk, this: Object, name: str) -> Cell | None:
