@@ -35,7 +35,7 @@ _RUNTIME = frozenset(("message_runtime", "genpy", "rosbuild"))
 _SCOPES = frozenset(("PUBLIC", "PRIVATE", "INTERFACE", "SYSTEM"))
 _TARGET = re.compile(r"([a-z]\w*)::\w+")
 _GENERATED = re.compile(r"(\w+)/(?:msg|srv|action)/\w+\.hp?p?")
-#: Such a header that lies in the workspace as a file, wherever a compiler may be told to look for it.
+#: Such a header that lies in the workspace as a file: some include path may lead to it.
 _CHECKED_IN = re.compile(rf"(?:.*/)?({_GENERATED.pattern})")
 #: Packages whose headers have a directory of their own since Humble: include/rclcpp/rclcpp/rclcpp.hpp.
 _CLIENTS = frozenset(("rclcpp", "rclcpp_action", "rclcpp_components", "rclcpp_lifecycle", "tf2", "tf2_ros"))
