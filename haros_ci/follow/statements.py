@@ -18,6 +18,7 @@ from haros_ci.follow import (
     lookup,
     loops,
     members,
+    registering,
     switches,
     thrown,
 )
@@ -275,6 +276,8 @@ def _define(walk: Walk, frame: Frame, statement: syntax.NestedFunction) -> str:
     around = expressions.with_defaults(walk, frame, function) if python else expressions.kept(frame)
     made = abstract.Callable(frame.source, function, frame.this, frame=around)
     frame.declare(statement.name, Cell(made))
+    if python and function.decorators:
+        registering.given(walk, frame, made)
     return NEXT
 
 
