@@ -157,9 +157,13 @@ def _chosen(walk: Walk, frame: Frame, value: Object, args: tuple[call_arguments.
     return walk.opaque("what a command returns is not known", frame)
 
 
-def start(name: str, source: Source, walk: Walk, frame: Frame) -> None:
-    """A program is started by calling what the variable *name* of a module holds, which is a group of commands."""
-    run(walk, frame, expressions.evaluate(walk, lookup.module_frame(walk, source), syntax.Name(name)))
+def start(name: str, source: Source, walk: Walk, _: Frame) -> None:
+    """A program is started by calling what *name* means in a module: a group of commands, a function that it imports or computes, ``Class.method``."""
+    first, *rest = name.split(".")
+    called: Expression = syntax.Name(first)
+    for part in rest:
+        called = syntax.Member(called, part)
+    expressions.evaluate(walk, lookup.module_frame(walk, source), syntax.Call(called, (), (), 1, 1))
 
 
 def _run(walk: Walk, frame: Frame, found: Command, context: Object, words: tuple[str, ...], depth: int = 0) -> None:

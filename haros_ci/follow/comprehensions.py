@@ -20,6 +20,8 @@ LONGEST = 256
 LONGEST_INSIDE = 32
 #: What stands for an element that is in the list if its condition holds.
 MAYBE = Opaque("whether it is in the list")
+#: What stands for the names of attributes that are not here; a guard that is not seen to let one through keeps them out.
+OTHER_NAMES = Opaque("it may be the name of any other attribute", type=syntax.Type("str"))
 
 
 def items(value: Value) -> list[Value] | None:
@@ -73,6 +75,8 @@ def _guarded(
     holds = conversions.truth(_call(walk, frame, guard, item))
     if holds is not None:
         return _call(walk, frame, element, item) if holds else None
+    if item is OTHER_NAMES:
+        return None
     text = args[3].value
     shown = text.of(str) if isinstance(text, Known) and issubclass(text.kind, str) else "if"
     mark = walk.state.mark()
@@ -106,7 +110,7 @@ def applied(walk: Walk, frame: Frame, name: str, args: tuple[PassedArgument, ...
             made.append(Cell(value))
             continue
         holds = conversions.truth(value)
-        if holds is None:
+        if holds is None and item is not OTHER_NAMES:
             return unknown
         if holds:
             made.append(Cell(item))

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Python: decorators of the workspace that note functions (``@register("name")``): they are called as the module is loaded.
 
-What they put around functions is ``around``'s.
+A function that a decorator gives to an object of a library that is not known may be called by it.
+What decorators put around functions is ``around``'s.
 """
 
 from __future__ import annotations
@@ -9,13 +10,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from haros_ci import syntax
-from haros_ci.follow import call_arguments, calls, expressions
+from haros_ci.follow import call_arguments, calls, commands, expressions, lookup, members, uncalled
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.walk import Walk
 from haros_ci.index.index import Source
 from haros_ci.model.location import Location
 from haros_ci.syntax import Class, Function
-from haros_ci.values.abstract import Callable, ClassValue
+from haros_ci.values.abstract import Callable, ClassValue, Object, Opaque
 
 #: What is said of a decorator that makes something around a function.
 AROUND = "what the decorator {} puts around {} is not followed"
@@ -28,6 +29,8 @@ def note(walk: Walk, frame: Frame, source: Source) -> None:
     every: list[Function | Class] = [*source.program.functions, *source.program.classes]
     decorated = [one for one in every if one.decorators and _is_outer(one)]
     for function in sorted(decorated, key=lambda one: (one.line, one.column))[:MOST]:
+        if isinstance(function, Function):
+            given(walk, frame, Callable(source, function))
         for decorator in reversed(function.decorators):
             callee = decorator.callee if isinstance(decorator, syntax.Call) else decorator
             if not isinstance(callee, syntax.Name):
@@ -41,6 +44,30 @@ def note(walk: Walk, frame: Frame, source: Source) -> None:
                 noted = Callable(source, function) if isinstance(function, Function) else ClassValue(source, function)
                 where = Location(source.path, function.line)
                 calls.apply(walk, frame, value, (call_arguments.PassedArgument(noted),), (), where, decorator)
+
+
+def given(walk: Walk, frame: Frame, function: Callable) -> None:
+    """A function is given to objects of libraries that are not known by its decorators (``@app.route("/x")``): they may call it."""
+    for decorator in function.function.decorators:
+        callee = decorator.callee if isinstance(decorator, syntax.Call) else decorator
+        if not isinstance(callee, syntax.Member) or not _is_held(walk, frame, callee.object):
+            continue
+        value = expressions.evaluate(walk, frame, callee.object)
+        is_library = isinstance(value, Opaque) or (isinstance(value, Object) and value.definition is None)
+        if is_library and commands.command(walk, function) is None:
+            name = members.dotted(callee) or callee.name
+            uncalled.offer(
+                walk, function, f"the decorator {name} is not known, which is given the function and may call it"
+            )
+
+
+def _is_held(walk: Walk, frame: Frame, receiver: syntax.Expression) -> bool:
+    """Whether a name or a chain of members begins with a variable, and not with a module."""
+    while isinstance(receiver, syntax.Member):
+        receiver = receiver.object
+    return isinstance(receiver, syntax.This) or (
+        isinstance(receiver, syntax.Name) and lookup.named_cell(walk, frame, receiver.name) is not None
+    )
 
 
 def _is_outer(one: Function | Class) -> bool:

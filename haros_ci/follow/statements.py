@@ -20,6 +20,7 @@ from haros_ci.follow import (
     loops,
     members,
     narrowing,
+    registering,
     switches,
     thrown,
 )
@@ -278,6 +279,8 @@ def _define(walk: Walk, frame: Frame, statement: syntax.NestedFunction) -> str:
     around = expressions.with_defaults(walk, frame, function) if python else expressions.kept(frame)
     made = abstract.Callable(frame.source, function, frame.this, frame=around)
     frame.declare(statement.name, Cell(made))
+    if python and function.decorators:
+        registering.given(walk, frame, made)
     return NEXT
 
 

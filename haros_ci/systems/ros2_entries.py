@@ -103,13 +103,15 @@ def programs_of(programs: Programs, components: Mapping[tuple[str, str], Found])
             source = programs.sources.get(point.path)
             if source is None:
                 continue
-            name = point.function.rpartition(".")[2]
-            function = next((f for f in source.program.functions if f.name == name and f.body is not None), None)
+            named = (
+                f for f in source.program.functions if f.name == point.function and f.body is not None and not f.owner
+            )
+            function = next(named, None)
             if function is not None:
                 found[package, point.name] = Entry(source, function), frozenset[str]()
-            elif any(variable.name == name for variable in source.program.variables):
-                begin = partial(commands.start, name, source)
-                found[package, point.name] = Entry(source, begin=begin, label=name), frozenset[str]()
+            else:  # a variable, what the module imports, a method
+                begin = partial(commands.start, point.function, source)
+                found[package, point.name] = Entry(source, begin=begin, label=point.function), frozenset[str]()
         for path in build.scripts:
             if path.endswith(".launch.py") or posixpath.basename(path).endswith("_launch.py"):
                 found.pop((package, posixpath.basename(path)), None)

@@ -12,6 +12,7 @@ from haros_ci.follow.libraries import (
     argparse as command_lines,
 )
 from haros_ci.follow.libraries import (
+    attribute_names,
     formats,
     partly_texts,
     python_kinds,
@@ -26,6 +27,7 @@ from haros_ci.follow.walk import Walk
 from haros_ci.values.abstract import (
     LIST_LIMIT,
     NONE,
+    Callable,
     Cell,
     ClassValue,
     Known,
@@ -158,6 +160,14 @@ def function(walk: Walk, frame: Frame, name: str, args: tuple[PassedArgument, ..
         return _own_attribute(walk, frame, args[0].value, args[1].value)
     if name == "getattr" and len(args) >= 2 and isinstance(args[1].value, Known):
         return members.attribute(walk, args[0].value, str(args[1].value.value), frame)
+    if name == "getattr" and len(args) >= 2 and first is not None:
+        return attribute_names.possible(walk, first, args[1].value, tuple(a.value for a in args[2:]), frame)
+    if name == "callable" and isinstance(first, (Callable, ClassValue, Known, Text, Sequence, Mapped)):
+        return Known(isinstance(first, (Callable, ClassValue)))
+    if name == "dir" and len(args) == 1 and first is not None:
+        return attribute_names.directory(walk, first)
+    if name == attribute_names.MEMBERS and first is not None:
+        return attribute_names.pairs(walk, first, args[1].value if len(args) > 1 else None, frame)
     if name == "super":
         return Library("super")
     return commands.function(walk, frame, name, args) if name in commands.FUNCTIONS else None

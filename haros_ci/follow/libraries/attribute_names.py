@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Python: attributes whose names are computed: ``dir``, ``inspect.getmembers``, ``getattr`` with a name that is known in part."""
+
+from __future__ import annotations
+
+from functools import reduce
+
+from haros_ci.follow import comprehensions, members, methods
+from haros_ci.follow.frames import Frame
+from haros_ci.follow.walk import Walk
+from haros_ci.syntax import Class
+from haros_ci.values.abstract import Callable, Cell, ClassValue, Known, Object, Sequence, Text, Value, join
+
+#: Methods of one object that a name that is known in part may mean.
+MOST = 50
+#: Classes that a class is derived from.
+DEEP = 100
+#: The function, and what of it keeps methods alone (docs.python.org/3/library/inspect.html#inspect.getmembers).
+MEMBERS = "inspect.getmembers"
+FUNCTIONS = frozenset(("inspect.ismethod", "inspect.isfunction", "inspect.isroutine", "callable"))
+
+
+def directory(walk: Walk, value: Value) -> Value | None:
+    """``dir(value)`` of an object or class of the workspace: what its classes here define and it has been given, sorted.
+
+    One more name, which is not known, stands for those with ``__`` at both ends and those of base classes that are not here.
+    """
+    names = _names(walk, value)
+    if names is None:
+        return None
+    held: tuple[Value, ...] = (*map(Known, names), comprehensions.OTHER_NAMES)
+    return Sequence(Cell(tuple(map(Cell, held))))
+
+
+def pairs(walk: Walk, value: Value, predicate: Value | None, frame: Frame) -> Value | None:
+    """``inspect.getmembers``: the names and values of ``dir(value)``; of some *predicate* the methods alone."""
+    kind = getattr(predicate, "name", "")
+    if predicate is not None and kind not in FUNCTIONS:
+        return None
+    found = [(name, members.attribute(walk, value, name, frame)) for name in _names(walk, value) or ()]
+    kept = [(name, held) for name, held in found if predicate is None or isinstance(held, Callable)]
+    rows = (Sequence(Cell((Cell(Known(name)), Cell(held)))) for name, held in kept)
+    return Sequence(Cell(tuple(Cell(row) for row in rows))) if found else None
+
+
+def possible(walk: Walk, value: Value, name: Value, default: tuple[Value, ...], frame: Frame) -> Value | None:
+    """``getattr(value, name)`` with a *name* that is known in part: one of the methods whose names fit, or the *default*; None if none fits."""
+    if not isinstance(name, Text):
+        return None
+    first, last = name.parts[0], name.parts[-1]
+    start, end = (part if isinstance(part, str) else "" for part in (first, last))
+    fitting = [item for item in _names(walk, value) or () if item.startswith(start) and item.endswith(end)]
+    found = [members.attribute(walk, value, item, frame) for item in fitting if len(item) >= len(start) + len(end)]
+    called = [item for item in found if isinstance(item, Callable)]
+    return reduce(join, (*called, *default)) if called and len(called) == len(found) <= MOST else None
+
+
+def _names(walk: Walk, value: Value) -> list[str] | None:
+    """The sorted names of an object or class of the workspace, without those with ``__`` at both ends; None of anything else."""
+    if isinstance(value, Object) and value.definition is not None and value.definition[0].separator == ".":
+        own, owner = set(value.fields), value.definition
+    elif isinstance(value, ClassValue) and value.source.separator == ".":
+        own, owner = set(), (value.source, value.definition)
+    else:
+        return None
+    waiting, seen = [owner], list[Class]()
+    while waiting and len(seen) < DEEP:
+        source, definition = waiting.pop()
+        if any(definition is known for known in seen):
+            continue
+        seen.append(definition)
+        own |= {field.name for field in definition.fields}
+        own |= {
+            function.name.rpartition(".")[2]
+            for function in source.program.functions
+            if function.owner == definition.name
+        }
+        owners = (methods.python_class(walk, base, source) for base in definition.bases)
+        waiting += [found for found in owners if found is not None]
+    return sorted(name for name in own if name.isidentifier() and not (name.startswith("__") and name.endswith("__")))
