@@ -9,7 +9,7 @@ from collections.abc import Sequence
 
 from haros_ci import syntax
 from haros_ci.follow import construct, conversions, members, methods, object_macros, overloads, specialisations
-from haros_ci.follow.frames import NEXT, Frame
+from haros_ci.follow.frames import NEXT, Frame, looked_up_from
 from haros_ci.follow.libraries import cpp as library_cpp
 from haros_ci.follow.libraries import numbers as library_numbers
 from haros_ci.follow.libraries import optionals, python_modules, python_numbers
@@ -118,7 +118,13 @@ def no_variable(walk: Walk, frame: Frame, name: str) -> Value:
     """What a name that is no variable means: a function, class, module, macro, or a library's name."""
     if frame.source.program.language == "python":
         return python_name(walk, frame, name)
-    key = ("name", name, frame.scope, frame.source.path, walk.numbered(frame.templates) if frame.templates else 0)
+    key = (
+        "name",
+        name,
+        looked_up_from(walk.index.inner, frame),
+        frame.source.path,
+        walk.numbered(frame.templates) if frame.templates else 0,
+    )
     if key not in walk.found:
         walk.found[key] = _global_name(walk, frame, name)
     value: Value | object_macros.ObjectMacro = walk.found[key]

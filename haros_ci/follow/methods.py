@@ -284,12 +284,15 @@ def with_body(walk: Walk, candidates: list[Found]) -> Found:
 
 def _loose(walk: Walk, owner: str, name: str) -> list[Found]:
     """The definitions of the method *name* of the class *owner* that name the class under a using-directive, or in full
-    within its own namespace (``namespace a { void a::C::m() {} }``)."""
+    within its own namespace (``namespace a { void a::C::m() {} }``); a class that a function defines has none."""
+    if owner.rpartition("::")[0] in walk.index.inner:
+        return []
     return [
         item
         for item in walk.index.by_tail.get(f"{owner.rpartition('::')[2]}::{name}", ())
         if item[1].body is not None
         and item[1].owner
+        and item[1].owner.rpartition("::")[0] not in walk.index.inner
         and (f"::{owner}".endswith(f"::{item[1].owner}") or _is_in_full(item[1].owner, owner))
     ]
 

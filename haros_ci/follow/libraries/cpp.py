@@ -270,7 +270,7 @@ def method(  # noqa: C901 - one branch for each kind of receiver
     if isinstance(receiver, Sequence):
         return library_containers.sequence(walk, frame, receiver, name, args)
     if isinstance(receiver, Mapped):
-        return library_containers.mapped(walk, frame, receiver, name, args)
+        return library_containers.mapped(walk, frame, receiver, name, args, cell.type if cell is not None else None)
     return None
 
 
