@@ -190,7 +190,7 @@ def _put_together(
         return algorithms.for_each(walk, frame, args)
     if name == "std::get" and targs:
         return tuples.got(targs, args)
-    if name == "std::make_tuple":
+    if name in ("std::make_tuple", "std::forward_as_tuple"):
         return tuples.made(args)
     if name in formats.FMT and args:
         return formats.fmt(walk, frame, args)
