@@ -75,7 +75,8 @@ def _variable(walk: Walk, frame: Frame, name: str) -> tuple[Source, str, syntax.
                     if specialisations.are_several(walk, frame, head):
                         return frame.source, candidate, syntax.Equals(syntax.Unknown(EITHER)), static[2]
                     return static[0], candidate, static[1].init, static[2]
-    return None
+    meant = walk.type_in(syntax.Type(name), frame).name if "::" not in name else name
+    return _variable(walk, frame, meant) if meant != name and meant in walk.index.variables else None
 
 
 def global_cell(walk: Walk, source: Source, name: str, init: syntax.Init | None, kind: Type) -> Cell:
@@ -190,6 +191,10 @@ def _global_name(walk: Walk, frame: Frame, name: str) -> Value | object_macros.O
     found = walk.class_of(resolved.name, frame.source)
     if found is not None:
         return ClassValue(*found)
+    if resolved.name != name:  # what a using-declaration or an alias of a namespace stands for
+        functions = index.near(index.functions, resolved.name, frame.source, walk.files)
+        if functions:
+            return Callable(*methods.with_body(walk, functions))
     if "::" in name:
         method = _of_its_base(walk, frame, name)
         if method is None:

@@ -23,7 +23,9 @@ def build_index(sources: Iterable[Source]) -> Index:  # noqa: C901 - one loop fo
             index.file_names[posixpath.basename(source.path)].append(source.path)
             functions = {function.name for function in program.functions if function.name and function.kind != "lambda"}
             index.local[source.path] = _local(program, functions)
-            index.inner |= functions.intersection(item.name.rpartition("::")[0] for item in program.classes)
+            spaces = (alias.name for alias in program.aliases if alias.type.marks == "namespace")
+            inside = (*(item.name for item in program.classes), *spaces)
+            index.inner |= functions.intersection(name.rpartition("::")[0] for name in inside)
         else:
             index.by_place[source.path.removesuffix(".py").removesuffix("/__init__")] = source
         for definition in program.classes:

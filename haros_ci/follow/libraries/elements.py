@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING
 
 from haros_ci.follow import braces, call_arguments, construct, copies
 from haros_ci.follow.frames import Frame
-from haros_ci.follow.libraries import tuples
 from haros_ci.follow.ros import api_rows
 from haros_ci.follow.walk import Walk
 from haros_ci.model.location import Location
