@@ -97,17 +97,18 @@ def global_cell(walk: Walk, source: Source, name: str, init: syntax.Init | None,
                     cell.value = construct.initial(walk, there, resolved, variable.init, Location(where.path))
                     break
             else:
-                if (
-                    _is_container(resolved) and name in walk.index.variables
-                ):  # ``std::vector<T> x;`` begins without an element
+                if name in walk.index.variables and _is_made(walk, source, resolved):
                     cell.value = construct.initial(walk, frame, resolved, None, Location(source.path))
         walk.state.settle(mark, begun)
         walk.lasting.add(cell)
     return cell
 
 
-def _is_container(kind: Type) -> bool:
-    return (kind.name in SEQUENCES or kind.name in MAPS) and not {"*", "&"} & set(kind.marks)
+def _is_made(walk: Walk, source: Source, kind: Type) -> bool:
+    """Whether ``T x;`` makes something: an empty container, or an object of a class of the workspace."""
+    if {"*", "&"} & set(kind.marks):
+        return False
+    return kind.name in SEQUENCES or kind.name in MAPS or walk.class_of(kind.name, source) is not None
 
 
 def name(walk: Walk, frame: Frame, expression: syntax.Name) -> Value:
