@@ -64,7 +64,7 @@ BINDERS = frozenset(("boost::bind", "std::bind", "bind"))
 MAKERS = frozenset(
     f"{space}::{name}"
     for space in ("boost", "std")
-    for name in ("make_shared", "make_unique", "make_optional", "shared_ptr", "unique_ptr")
+    for name in ("make_shared", "make_unique", "make_optional", "shared_ptr", "unique_ptr", "weak_ptr")
 )
 TRANSPARENT = frozenset(
     (
