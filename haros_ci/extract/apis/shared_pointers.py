@@ -6,8 +6,9 @@ en.cppreference.com/w/cpp/memory/enable_shared_from_this, boost.org/doc/libs/rel
 
 from __future__ import annotations
 
-ROWS: tuple[dict[str, object], ...] = tuple(
-    {"call": f"{space}::enable_shared_from_this::{name}", "args": [0], "transparent": "{this}"}
-    for space in ("std", "boost")
-    for name in ("shared_from_this", "weak_from_this")
+ROWS: tuple[dict[str, object], ...] = (
+    {"call": "std::enable_shared_from_this::shared_from_this", "args": [0], "transparent": "{this}"},
+    {"call": "std::enable_shared_from_this::weak_from_this", "args": [0], "transparent": "{this}"},
+    {"call": "boost::enable_shared_from_this::shared_from_this", "args": [0], "transparent": "{this}"},
+    {"call": "boost::enable_shared_from_this::weak_from_this", "args": [0], "transparent": "{this}"},
 )
