@@ -6,7 +6,7 @@ from __future__ import annotations
 from tree_sitter import Node
 
 from haros_ci import syntax
-from haros_ci.extract.cpp import expressions, types
+from haros_ci.extract.cpp import expansion, expressions, types
 from haros_ci.extract.cpp.grammar import field, kinds
 from haros_ci.extract.cpp.unit import Unit
 
@@ -35,6 +35,9 @@ def call(unit: Unit, node: Node, depth: int) -> syntax.Expression:
     chosen: tuple[syntax.Argument, ...] = ()
     callee: syntax.Expression
     if kind in _IDENTIFIER:
+        expanded = expansion.expression(unit, node, depth) if unit.found.callable_macros else None
+        if expanded is not None:
+            return expanded
         callee = syntax.Name(unit.cut(function))
     elif kind in _FIELD_EXPRESSION:
         callee, chosen = _member(unit, function, depth + 1)
