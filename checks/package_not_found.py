@@ -35,16 +35,19 @@ _RUNTIME = frozenset(("message_runtime", "genpy", "rosbuild"))
 _SCOPES = frozenset(("PUBLIC", "PRIVATE", "INTERFACE", "SYSTEM"))
 _TARGET = re.compile(r"([a-z]\w*)::\w+")
 _GENERATED = re.compile(r"(\w+)/(?:msg|srv|action)/\w+\.hp?p?")
+#: Such a header that lies in the workspace as a file, wherever a compiler may be told to look for it.
+_CHECKED_IN = re.compile(rf"(?:.*/)?({_GENERATED.pattern})")
 #: Packages whose headers have a directory of their own since Humble: include/rclcpp/rclcpp/rclcpp.hpp.
 _CLIENTS = frozenset(("rclcpp", "rclcpp_action", "rclcpp_components", "rclcpp_lifecycle", "tf2", "tf2_ros"))
 
 
 def check(project: Project) -> Iterator[Finding]:
+    there = frozenset(found[1] for path in project.workspace.names if (found := _CHECKED_IN.fullmatch(path)))
     for package in project.packages:
         if not package.cmake.is_whole or package.ros is None or _may_find_more(package):
             continue
         reported: set[str] = set()
-        for name, finding in _ament(package) if package.ros == 2 else _catkin(package):
+        for name, finding in _ament(package, there) if package.ros == 2 else _catkin(package):
             if name not in reported:
                 reported.add(name)
                 yield finding
@@ -58,7 +61,7 @@ def _may_find_more(package: ProjectPackage) -> bool:
     return any("$" in word for command in package.commands("find_package") for word in command.arguments[:1])
 
 
-def _ament(package: ProjectPackage) -> Iterator[tuple[str, Finding]]:
+def _ament(package: ProjectPackage, there: frozenset[str]) -> Iterator[tuple[str, Finding]]:
     found: dict[str, CMakeCommand] = {}
     uses: list[tuple[str, CMakeCommand]] = []
     for command in package.build.commands:
@@ -77,7 +80,7 @@ def _ament(package: ProjectPackage) -> Iterator[tuple[str, Finding]]:
         if _is_lacking(package, found, name):
             yield name, _linked(package, command, name, found)
     for name, header, place in _headers(package):
-        if _is_lacking(package, found, name):
+        if header not in there and _is_lacking(package, found, name):
             yield name, _included(package, name, header, place, found)
 
 

@@ -15,6 +15,8 @@ from haros_ci.api.interfaces import InterfaceReference, InterfaceUsers, always_a
 GENERATE = ("rosidl_generate_interfaces", "add_message_files", "add_service_files", "add_action_files")
 ENDINGS = (".msg", ".srv", ".action", ".idl")
 _LOWER = re.compile(r"[\"<]([a-z]\w*)/([a-z][a-z0-9_]*)\.h[\">]", re.ASCII)
+#: What generators write once for all interfaces of a package (rosidl_generator_c, rosidl_typesupport_*).
+_OF_ALL = re.compile(r"rosidl_\w+__visibility_control\.hp?p?")
 #: Made by dynamic_reconfigure of a .cfg.
 OF_A_CONFIG = "config"
 
@@ -207,7 +209,7 @@ def _unless_handmade(
     name = written.strip('"<>')
     if "/" in name:
         file = name.rpartition("/")[2]
-        if not reference.kind and reference.stem.endswith(OF_A_CONFIG):
+        if (not reference.kind and reference.stem.endswith(OF_A_CONFIG)) or _OF_ALL.fullmatch(file):
             return None
         if file in ends and any(
             other_path.endswith(f"/{name}") or other_path == name for other_path in project.workspace.names

@@ -251,6 +251,11 @@ def _default(walk: Walk, inner: Frame, function: Function, name: str, default: E
             kept = members.static_cell(walk, *owner, default.name)
         if kept is not None:
             return kept.value
+        if isinstance(default, (syntax.ListLiteral, syntax.DictLiteral)) and not walk.quiet:  # one for all calls
+            key = (inner.source.path, f"{function.name}:{function.line}:{name}=")
+            if key not in walk.statics:
+                walk.statics[key] = Cell(expressions.evaluate(walk, inner, default))
+            return walk.statics[key].value
     return expressions.evaluate(walk, inner, default)
 
 

@@ -17,6 +17,7 @@ from haros_ci.follow import (
     dynamic,
     expressions,
     follow,
+    handles,
     library_calls,
     linear,
     managers,
@@ -198,7 +199,7 @@ def method_call(  # noqa: C901 - one branch for each kind of receiver, in the or
                     if found is not None:
                         return found
         else:
-            handle = api_rows.node_class(walk, name, frame.source.separator)
+            handle = api_rows.node_class(walk, name, frame.source.separator, len(args), bool(targs))
             if handle:
                 stand_in = Object(handle, namespace=receiver)
                 qualified = f"{handle}{frame.source.separator}{name}"
@@ -207,22 +208,14 @@ def method_call(  # noqa: C901 - one branch for each kind of receiver, in the or
                     return found
         walk.calls_unknown |= name == "second"  # a function of a map
         return library.unknown_call(walk, frame, name, args, receiver)
-    if isinstance(receiver, Library) and receiver.this is None and _is_of_a_handle(frame, name, args):
+    of = "" if not isinstance(receiver, Library) or receiver.this else handles.by_method(frame, name, args, targs)
+    if isinstance(receiver, Library) and of:
         space = walk.opaque(f"what {receiver.name} is is not known", frame, location.line)
-        stand_in = Object("ros::NodeHandle", namespace=space)
-        found = api_rows.call(walk, frame, f"ros::NodeHandle::{name}", stand_in, args, targs, location)
+        found = api_rows.call(walk, frame, f"{of}::{name}", Object(of, namespace=space), args, targs, location)
         if found is not None:
             return found
     function = members.attribute(walk, receiver, name, frame)
     return apply(walk, frame, function, args, targs, location, syntax.Name(name))
-
-
-def _is_of_a_handle(frame: Frame, name: str, args: tuple[call_arguments.PassedArgument, ...]) -> bool:
-    """Whether a method of an object that is not declared in the workspace must be one of a node handle."""
-    if frame.source.separator != "::":
-        return False
-    is_subscribing = name == "subscribe" and len(args) > 2
-    return name in api_rows.UNMISTAKABLE or (is_subscribing and any(isinstance(arg.value, Callable) for arg in args))
 
 
 def _of_base(

@@ -19,6 +19,7 @@ from haros_ci.follow.command_contexts import CONTEXT, DEEP, PASSING, UNKNOWN, co
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import argparse, python_modules
 from haros_ci.follow.walk import Walk
+from haros_ci.graph.words import PART
 from haros_ci.index.index import Source
 from haros_ci.index.mentions import GROUPING, MODULES, grouped
 from haros_ci.model.architecture import Condition
@@ -132,7 +133,7 @@ def run(walk: Walk, frame: Frame, value: Value, args: tuple[call_arguments.Passe
     if found is None:
         return None
     given = next((argument.value for argument in args if argument.keyword == "obj"), NONE)
-    words = walk.context.arguments
+    words = () if PART in "".join(walk.context.arguments or ()) else walk.context.arguments
     _run(walk, frame, found, context_of(NONE, given), tuple(words or ()))
     return walk.opaque("what a command returns is not known", frame)
 

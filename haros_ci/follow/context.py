@@ -10,11 +10,12 @@ from dataclasses import dataclass, field
 from haros_ci.follow.made import MadeEntity
 from haros_ci.graph.parameters import YamlFiles
 from haros_ci.graph.ros2_process import Process
+from haros_ci.graph.words import PART
 from haros_ci.index.behavior_tree_files import TreeFiles
 from haros_ci.index.plugins import PluginDescription
 from haros_ci.index.xml_files import XmlFileReader
 from haros_ci.model.location import Location
-from haros_ci.values.abstract import Value
+from haros_ci.values.abstract import Known, Opaque, Value
 from haros_ci.values.given import Marks
 
 #: From a call's place, the last part of its function's name and the number of its arguments to the arguments' types and
@@ -22,6 +23,9 @@ from haros_ci.values.given import Marks
 Exact = Function_[
     [str, int, int, str, int], tuple[tuple[tuple[str | None, object], ...], tuple[str | None, ...]] | None
 ]
+
+#: Why a word of the command line is not known.
+NO_WORD = "a part of the command line is not known"
 
 
 @dataclass(slots=True)
@@ -33,6 +37,8 @@ class Context:
     arguments: tuple[str, ...] | None
     #: Whether roslaunch starts the node, which adds words to its command line.
     is_launched: bool = field(default=False, kw_only=True)
+    #: Whether *parameter* knows what is set below the node's name, though a part of that is not known.
+    has_own: bool = field(default=False, kw_only=True)
     #: The classes that pluginlib can load, by look-up name: where they are defined.
     plugins: Mapping[str, PluginDescription]
     #: Where a node is followed for all that its plug-ins could make: the workspace's plug-ins by base class.
@@ -68,3 +74,13 @@ class Context:
     marks: Marks = field(default_factory=Marks)
     #: Whether to stop at the first name that the node gives itself (a value, and whether it is made anonymous).
     renames: Function_[[Value, bool | None], bool] = lambda name, anonymous: False
+
+    def words(self) -> list[Value]:
+        """The words of the command line behind the program's name; none where they are not known."""
+        return [Opaque(NO_WORD) if PART in word else Known(word) for word in self.arguments or ()]
+
+    def is_asked(self, name: str) -> bool:
+        """Whether it is known which parameter a full name is: all of it is, or all that stands behind the node's own name."""
+        return "?" not in name or (
+            self.has_own and name.startswith(f"{self.name}/") and "?" not in name[len(self.name) :]
+        )

@@ -115,7 +115,7 @@ def _start(walk: Walk, frame: Frame, entry: Entry) -> None:
         if entry.function.parameters:
             argv = Opaque("the command line") if words is None else None
             program: Value = Opaque("the program's name", None, syntax.Type("char", (), "*"))
-            cells = tuple(Cell(value) for value in (program, *(Known(word) for word in words or ())))
+            cells = tuple(Cell(value) for value in (program, *walk.context.words()))
             args = (
                 call_arguments.PassedArgument(argv or Known(len(cells))),
                 call_arguments.PassedArgument(argv or Sequence(Cell(cells))),

@@ -52,6 +52,8 @@ class Frame(Closure):
     is_dead: bool = False
     #: The early ways out of it and of turns of its loops so far (``follow.early``).
     early: list[Exit] = field(default_factory=list)
+    #: What getters give that are not known, as the tests around say (``follow.narrowing``).
+    beliefs: dict[str, Value] = field(default_factory=dict)
     #: Whether the program ends where it says that it has failed.
     is_start: bool = False
 

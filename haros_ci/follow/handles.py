@@ -5,14 +5,16 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from haros_ci.follow.ros import selectors
+from haros_ci import syntax
+from haros_ci.follow.frames import Frame
+from haros_ci.follow.ros import api_rows, selectors
 from haros_ci.graph.names import pattern, resolve
 from haros_ci.index.types import STRINGS, pointee
 from haros_ci.model.api import Entry
-from haros_ci.values.abstract import NONE, Known, Object, Opaque, Pointer, Text, Value
+from haros_ci.values.abstract import NONE, Callable, Known, Object, Opaque, Pointer, Text, Value
 
 if TYPE_CHECKING:
-    pass
+    from haros_ci.follow.call_arguments import PassedArgument
 
 
 def handle(applied: selectors.Applied, entry: Entry) -> Value:
@@ -61,3 +63,11 @@ def namespace_of(applied: selectors.Applied, value: object) -> Value:
             else Known(applied.walk.context.namespace)
         )
     return applied.walk.opaque("the namespace is not known", applied.frame, applied.location.line)
+
+
+def by_method(frame: Frame, name: str, args: tuple[PassedArgument, ...], targs: tuple[syntax.Argument, ...]) -> str:
+    """The class, a node handle's or another, that a method of an object that is not declared in the workspace must be of; "" if none."""
+    if frame.source.separator != "::":
+        return ""
+    calls_back = name == "subscribe" and len(args) > 2 and any(isinstance(one.value, Callable) for one in args)
+    return api_rows.handle(name, len(args), bool(targs)) or ("ros::NodeHandle" if calls_back else "")

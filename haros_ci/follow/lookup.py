@@ -222,6 +222,10 @@ def python_name(walk: Walk, frame: Frame, name: str) -> Value:
         return Known({"True": True, "False": False, "None": None}[name])
     found = walk.index.near(walk.index.classes, name, frame.source, walk.files)
     if found and found[0][0].path == frame.source.path:
+        is_instead = found[0][1].column > 1 and any(alias.name == name for alias in frame.source.program.aliases)
+        value = _imported_name(walk, frame, name) if is_instead else None
+        if isinstance(value, ClassValue) or (isinstance(value, Library) and value.name in walk.rows):
+            return value  # the class is there where that cannot be imported
         return overloads.either([ClassValue(*item) for item in overloads.last(found)])
     functions = [f for f in walk.index.functions.get(name, ()) if f[0].path == frame.source.path]
     if frame.function is None and frame.scope:  # the body of a class
@@ -259,9 +263,10 @@ def _imported_name(walk: Walk, frame: Frame, name: str) -> Value | None:
         return value
     for alias in reversed(frame.source.program.aliases):
         if alias.name == "*":
-            value = imported(walk, frame, f"{alias.type.name.removesuffix('.*')}.{name}")
-            if not isinstance(value, Library):
-                return value
+            target = f"{alias.type.name.removesuffix('.*')}.{name}"
+            value = imported(walk, frame, target)
+            if not isinstance(value, Library) or value.name != python_modules.absolute(frame.source, target):
+                return value  # a module of the workspace has it from there
     return None
 
 

@@ -284,17 +284,21 @@ def with_body(walk: Walk, candidates: list[Found]) -> Found:
 
 def _loose(walk: Walk, owner: str, name: str) -> list[Found]:
     """The definitions of the method *name* of the class *owner* that name the class under a using-directive, or in full
-    within its own namespace (``namespace a { void a::C::m() {} }``); a class that a function defines has none."""
-    if owner.rpartition("::")[0] in walk.index.inner:
-        return []
+    within its own namespace (``namespace a { void a::C::m() {} }``); not those of another class of that name."""
     return [
         item
         for item in walk.index.by_tail.get(f"{owner.rpartition('::')[2]}::{name}", ())
         if item[1].body is not None
         and item[1].owner
-        and item[1].owner.rpartition("::")[0] not in walk.index.inner
         and (f"::{owner}".endswith(f"::{item[1].owner}") or _is_in_full(item[1].owner, owner))
+        and (item[1].owner == owner or not _is_class(walk, item))
     ]
+
+
+def _is_class(walk: Walk, method: Found) -> bool:
+    """Whether what a *method* is defined with is a class as it stands there."""
+    classes = walk.index.classes.get(method[1].owner, ())
+    return bool(classes) and walk.index.includes(method[0], classes)
 
 
 def _is_in_full(written: str, owner: str) -> bool:

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from contextlib import nullcontext
 from typing import TypeVar, cast
 
 from haros_ci import syntax
@@ -18,6 +19,7 @@ from haros_ci.follow import (
     lookup,
     loops,
     members,
+    narrowing,
     switches,
     thrown,
 )
@@ -167,7 +169,8 @@ def _side(
     mark, known = walk.state.mark(), len(frame.early)
     at = (statement.line, statement.column) if is_then else (statement.else_line, statement.else_column)
     place = Location(frame.source.path, *at)
-    with walk.under("if" if is_then else "else", statement.text, place, holds=holds is is_then):
+    narrower = narrowing.narrowed(walk, frame, statement.test) if is_then and holds is None else nullcontext()
+    with walk.under("if" if is_then else "else", statement.text, place, holds=holds is is_then), narrower:
         block = statement.then if is_then else statement.other
         ended = follow_branch(walk, frame, block, holds is None or holds is is_then, lacking=lacking)
     writes = walk.state.undo(mark)

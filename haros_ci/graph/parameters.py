@@ -6,7 +6,8 @@ from __future__ import annotations
 import posixpath
 import re
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import cached_property
 from hashlib import blake2b
 from typing import Any
 
@@ -124,6 +125,28 @@ class ParameterServer:
             return SetByNode(f"{first.node} may delete it", held=found)
         return Opaque(why) if named and not (is_same and _are_same(found, held)) else found
 
+    def get_private(
+        self, name: str, node: str, own: ParameterServer, under: tuple[Condition, ...] = ()
+    ) -> Value | None:
+        """The value of the parameter *name* below *node*, a name of which a part is not known.
+
+        *own* is what the node's tag sets, by names below the node's. What stands elsewhere may be this parameter by its name.
+        """
+        found = own.get(name[len(node) :], under)
+        if isinstance(found, Opaque):
+            return found
+        for other in self._elsewhere:
+            if _meet(other.name, name):
+                reason = next((f"it may be set: {why.reason}" for why in other.unknowns), "it may be set")
+                return Perhaps(reason, other.location)
+        return found
+
+    @cached_property
+    def _elsewhere(self) -> list[Parameter]:
+        """What no tag of a node sets, for whose parameters only the node itself asks by a name that is not known."""
+        every = (parameter for parameters in self._by_name.values() for parameter in parameters)
+        return [one for one in (*every, *(parameter for _, parameter in self._vague)) if not one.is_of_node]
+
     def _below(self, name: str) -> Value | None:
         """What is inside a parameter that may be a map."""
         above = name.rpartition("/")[0]
@@ -152,6 +175,27 @@ def _fits(name: str, parts: list[str]) -> bool:
             return False
         at = found + len(part)
     return True
+
+
+def own_parameters(node: str, parameters: Iterable[Parameter]) -> ParameterServer:
+    """What the tag of *node* sets, of whose name a part is not known, by names below it (``/rate``)."""
+    found = []
+    for parameter in parameters:
+        if parameter.name.startswith(f"{node}/"):
+            below = parameter.name[len(node) :]
+            why = tuple(why for why in parameter.unknowns if "?" in below or why.field != "name")
+            found.append(replace(parameter, name=below, unknowns=why))
+    return ParameterServer(found)
+
+
+def _meet(one: str, other: str) -> bool:
+    """Whether two names may be the same, with any text for ``?``."""
+    if "?" not in one or "?" not in other:
+        return _fits(one, other.split("?")) if "?" in other else _fits(other, one.split("?"))
+    heads, tails = (one.partition("?")[0], other.partition("?")[0]), (one.rpartition("?")[2], other.rpartition("?")[2])
+    return (heads[0].startswith(heads[1]) or heads[1].startswith(heads[0])) and (
+        tails[0].endswith(tails[1]) or tails[1].endswith(tails[0])
+    )
 
 
 def _value(parameters: list[Parameter], under: tuple[Condition, ...]) -> Value:

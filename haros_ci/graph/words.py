@@ -28,6 +28,17 @@ _BARE_RULE = re.compile(
 #: The path of a package, as paths in values begin with it: one word.
 _FOUND = re.compile(r"\$\([\w-]+ [\w-]+\)")
 
+#: Stands in a word of a command line for a part that is not known, where it is certain that the word is one.
+PART = "\ue003"
+_QUOTED = re.compile(r"'[^']*'|\"[^\"]*\"")
+
+
+def with_parts(text: str, words: tuple[str, ...]) -> tuple[str, ...]:
+    """*words* of *text* with ``PART`` for what is not known in them, if all that is not known stands in quotes: it may be several words elsewhere."""
+    if "?" not in text or "?" in _QUOTED.sub("", text):
+        return words
+    return tuple(word.replace("?", PART) for word in words)
+
 
 def shell_words(text: str) -> list[str]:
     """*text* as a shell has it; where its quotes do not match, what is between spaces. ``$(find p)/x`` is one word."""

@@ -51,11 +51,34 @@ def build_index(sources: Iterable[Source]) -> Index:  # noqa: C901 - one loop fo
         index.included[source.path] = _included(program)
     for source in index.sources.values():
         for function in source.program.functions:
-            if function.owner and function.owner not in index.classes and function.owner in index.aliases:
-                _through_alias(index, source, function)
+            if function.owner and function.owner not in index.classes:
+                if function.owner in index.aliases:
+                    _through_alias(index, source, function)
+                elif function.kind != "lambda" and function.name:
+                    _in_open_namespace(index, source, function)
     for name in ("classes", "functions", "variables", "aliases", "macros", "by_tail"):
         setattr(index, name, Traced(getattr(index, name)))
     return index
+
+
+def _in_open_namespace(index: Index, source: Source, function: Function) -> None:
+    """A method whose class is named under a using-directive, or in full within its own namespace, is the class's."""
+    head, rest = "", function.owner
+    names: list[str] = []
+    while rest:
+        names += [rest] if head else []
+        names += [f"{around}{space}::{rest}" for space in index.opened(source) for around in {"", head}]
+        part, _, rest = rest.partition("::")
+        head += f"{part}::"
+    owners = {name for name in names if name in index.classes and index.includes(source, index.classes[name])}
+    if len(owners) != 1:
+        return
+    owner, last = owners.pop(), function.name.rpartition("::")[2]
+    found = syntax.replace(function, name=f"{owner}::{last}", owner=owner)
+    index.functions[function.name] = [item for item in index.functions[function.name] if item[1] is not function]
+    index.functions[found.name].append((source, found))
+    tail = "::".join(function.name.split("::")[-2:])
+    index.by_tail[tail] = [(where, found if item is function else item) for where, item in index.by_tail[tail]]
 
 
 def _through_alias(index: Index, source: Source, function: Function) -> None:

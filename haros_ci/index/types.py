@@ -29,7 +29,9 @@ SEQUENCES = frozenset(
     ("std::vector", "std::list", "std::deque", "std::array", "std::set", "boost::ptr_vector", "boost::array")
 )
 MAPS = frozenset(("std::map", "std::unordered_map", "boost::unordered_map"))
-STRINGS = frozenset(("std::string", "string", "std::basic_string", "str", "boost::filesystem::path"))
+STRINGS = frozenset(
+    "std::string string std::basic_string str boost::filesystem::path std::string_view boost::string_view absl::string_view".split()
+)
 INTEGERS = frozenset(
     "int long short char unsigned size_t std::size_t ssize_t uint signed byte".split()
     + [
@@ -49,7 +51,7 @@ ROS2_POINTERS = frozenset(
 )
 #: Names of ``std`` that something is known of, for ``using namespace std``.
 STANDARD = frozenset(
-    "string vector map list set deque array pair unordered_map shared_ptr unique_ptr weak_ptr optional function "
+    "string string_view vector map list set deque array pair unordered_map shared_ptr unique_ptr weak_ptr optional function "
     "stringstream ostringstream istringstream ifstream ofstream fstream reference_wrapper numeric_limits to_string "
     "make_shared make_unique make_pair move forward ref cref bind getline swap find find_if static_pointer_cast "
     "dynamic_pointer_cast const_pointer_cast".split()
@@ -107,6 +109,9 @@ def resolve_type(  # noqa: C901 - the order of the rules of name lookup
 
     def inner(item: Argument) -> Argument:
         if isinstance(item, Type):
+            number = templates.get(item.name) if templates else None
+            if type(number) is syntax.Number:
+                return number
             return resolve_type(index, item, scope, source, files, templates, depth + 1)
         return item
 

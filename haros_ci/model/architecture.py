@@ -190,6 +190,8 @@ class Parameter:
     presence: Presence = ()
     #: The command whose output is its value, ``?`` for what is not known in it; "" without one.
     command: str = field(default="", compare=False)
+    #: Whether it stands in the tag of a node, whose own it is.
+    is_of_node: bool = field(default=False, compare=False)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -41,6 +41,8 @@ class Started:
     unknowns: tuple[Unknown, ...] = ()
     #: Under which launch arguments it is there.
     presence: Presence = ()
+    #: What its tag sets, where a part of its name is not known.
+    own: tuple[Parameter, ...] = ()
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

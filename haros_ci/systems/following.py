@@ -121,6 +121,8 @@ class Instance:
     depth: int = 0
     #: Whether a launch file starts it: roslaunch adds words to its command line.
     is_launched: bool = False
+    #: Whether all that is set below its name is known, though a part of the name may not be.
+    has_own: bool = False
 
 
 def run_node(
@@ -133,7 +135,7 @@ def run_node(
 ) -> Followed:
     """Follow one node, unless it has been followed under the same names and all that it asked for is the same again."""
     wiring = tuple(sorted(instance.remaps.items()))
-    words = instance.arguments, instance.is_launched
+    words = instance.arguments, instance.is_launched, instance.has_own
     key = (entry.key, files_key(files), instance.name, instance.namespace, *words, wiring, instance.process)
     earlier = types.followed.setdefault(key, [])
     for done in earlier:
@@ -150,6 +152,7 @@ def run_node(
         namespace=instance.namespace,
         arguments=instance.arguments,
         is_launched=instance.is_launched,
+        has_own=instance.has_own,
         plugins=types.plugins,
         declared=types.declared,
         parameter=ask,

@@ -153,7 +153,7 @@ def started(types: Types, gazebo_plugin: GazeboPlugin, parameter: Given, host: N
 
     def follow() -> _Result:
         followed = run_node(types, entry, gazebo_plugin.files, instance, server.get)
-        ends = endpoints(followed.made, by(instance.remaps), server)
+        ends = endpoints(followed.made, by(instance.remaps), server.get)
         unknowns = (
             *node.unknowns,
             *incomplete(followed, entry, Location(gazebo_plugin.source.path, gazebo_plugin.definition.line)),
@@ -197,7 +197,7 @@ def _alone(types: Types, gazebo_plugin: GazeboPlugin, name: str) -> Job:
 def _of_ros1(types: Types, entry: Entry, gazebo_plugin: GazeboPlugin, node: Node) -> _Result:
     server = ParameterServer(())
     followed = run_node(types, entry, gazebo_plugin.files, Instance("/?", "/", None, {}, "/?"), server.get)
-    ends = endpoints(followed.made, lambda item: item.name, server)
+    ends = endpoints(followed.made, lambda item: item.name, server.get)
     unknowns = (*incomplete(followed, entry, node.location), Unknown("name", HOST, node.location))
     return (replace(node, kind=node.kind if ends else PROGRAM, endpoints=ends, unknowns=unknowns),), followed.problems
 

@@ -145,7 +145,7 @@ def _ros1(types: Types, plugin: Plugin) -> Job:
 
     def follow() -> tuple[tuple[Node, ...], tuple[Problem, ...]]:
         followed = run_node(types, entry, plugin.files, Instance("/?", "/", None, {}, "/?"), parameter)
-        ends = endpoints(followed.made, lambda item: item.name, server)
+        ends = endpoints(followed.made, lambda item: item.name, server.get)
         unknowns = (
             *incomplete(followed, entry, place),
             Unknown("name", HOST, place),

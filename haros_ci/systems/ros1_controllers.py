@@ -86,7 +86,7 @@ def _job(types: Types, entry: Entry, files: frozenset[str], package: str, name: 
 
     def follow() -> tuple[tuple[Node, ...], tuple[Problem, ...]]:
         followed = run_node(types, entry, files, Instance("/?", "/", None, {}, "/?"), parameter)
-        ends = endpoints(followed.made, lambda item: item.name, server)
+        ends = endpoints(followed.made, lambda item: item.name, server.get)
         unknowns = (*incomplete(followed, entry, place), Unknown("name", HOST, place))
         made = replace(node, kind=node.kind if ends else PROGRAM, endpoints=ends, unknowns=unknowns)
         return (made,), followed.problems

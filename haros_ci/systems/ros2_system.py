@@ -16,7 +16,7 @@ from haros_ci.graph.names import clean
 from haros_ci.graph.parameters import ParameterServer
 from haros_ci.graph.remap_rules import of_ros2_node, ros2_rules
 from haros_ci.graph.ros2_process import InContainer, Parameters, RemappingRule, RosNode, ros_arguments, rule_of, schemed
-from haros_ci.graph.words import shell_words
+from haros_ci.graph.words import shell_words, with_parts
 from haros_ci.keeping.kept import Followed
 from haros_ci.model.architecture import KINDS, Endpoint, Node, Parameter, Unknown
 from haros_ci.model.launch import LaunchedNode
@@ -115,7 +115,8 @@ def started_by(node: LaunchedNode) -> Started:
     if node.kind == "component" and node.container is not None:
         around = _naming(node.container)
     written = ros2_rules((*more.rules, *message.rules), node.rules, node.location)
-    return Started(rules, Parameters(node.parameters), more.rest, node.kind == "component", written, around)
+    words = with_parts(node.arguments, more.rest)
+    return Started(rules, Parameters(node.parameters), words, node.kind == "component", written, around)
 
 
 def _naming(full: str) -> tuple[RemappingRule, ...]:
@@ -195,7 +196,7 @@ def nodes_of(
     followed = run_process(types, entry, files, started, node)
     unknowns = (*node.unknowns, *incomplete(followed, entry, node.location))
     if not followed.nodes:
-        ends = endpoints(followed.made, lambda item: item.name, NOTHING)
+        ends = endpoints(followed.made, lambda item: item.name, NOTHING.get)
         is_node = is_named or ends or node.source == "launch" or outside_nodes.NO_NODE in followed.gaps
         if node.source != "launch":
             node = replace(node, name="/?", process="/?") if is_node else node
@@ -247,7 +248,7 @@ def _of_no_node(node: Node, followed: Followed) -> Iterable[Unknown]:
 def _ends(types: Types, followed: Followed) -> Mapping[str, tuple[Endpoint, ...]]:
     """The endpoints of each node of a process, made once for all that are alike."""
     if id(followed) not in types.ends:
-        made = {name: endpoints(items, final, NOTHING) for name, items in grouped(followed).items()}
+        made = {name: endpoints(items, final, NOTHING.get) for name, items in grouped(followed).items()}
         types.ends[id(followed)] = (followed, made)
     return types.ends[id(followed)][1]
 

@@ -14,7 +14,7 @@ from haros_ci.follow.ros.own_name import ANONYMOUS, OwnName, own_name
 from haros_ci.follow.ros.paces import paces
 from haros_ci.follow.walk import Renamed
 from haros_ci.graph.names import clean, resolve, resolve_target
-from haros_ci.graph.parameters import ParameterServer
+from haros_ci.graph.parameters import ParameterServer, own_parameters
 from haros_ci.graph.remap_rules import of_ros1_node, written_rule
 from haros_ci.graph.ros2_process import Parameters
 from haros_ci.graph.words import scalar, split
@@ -99,7 +99,11 @@ def launched(types: Types, started: Started, server: ParameterServer) -> Job:
     }
 
     def parameter(name: str) -> Value | None:
+        if own is not None and name.startswith(f"{started.name}/"):
+            return private.get(name) or server.get_private(name, started.name, own, started.conditions)
         return private.get(name) or server.get_for(started.name, name, started.conditions)
+
+    own = own_parameters(started.name, started.own) if "?" in started.name else None
 
     if found is None:
         known = types.known(node.package, outside.look_up(node), 1)
@@ -107,12 +111,12 @@ def launched(types: Types, started: Started, server: ParameterServer) -> Job:
         return Job(node, None, lambda: ((outside.described(node, types.programs, known, *provided),), ()))
     entry, files = found
     arguments = None if any("?" in word for word in words.rest) else words.rest
-    instance = Instance(started.name, namespace, arguments, remaps, process, is_launched=True)
+    instance = Instance(started.name, namespace, arguments, remaps, process, is_launched=True, has_own=True)
 
     def follow_it() -> tuple[tuple[Node, ...], tuple[Problem, ...]]:
         followed = run_node(types, entry, files, instance, parameter)
         unknowns = (*node.unknowns, *incomplete(followed, entry, node.location))
-        ends = endpoints(followed.made, by(remaps), server)
+        ends = endpoints(followed.made, by(remaps), server.get if own is None else parameter)
         return (replace(node, endpoints=ends, unknowns=unknowns, paces=paces(followed.made)),), followed.problems
 
     return Job(node, (id(entry), instance.name), follow_it, _size(types, files), server=server)
@@ -166,7 +170,12 @@ def alone(
 
     def under(full: str, renames: Callable[[Value, bool | None], bool] = lambda own, anonymous: False) -> Followed:
         return run_node(
-            types, entry, files, Instance(full, "/", (), {}, full), partial(server.get_for, chosen), renames
+            types,
+            entry,
+            files,
+            Instance(full, "/", (), {}, full, has_own=True),
+            partial(server.get_for, chosen),
+            renames,
         )
 
     def follow_it() -> tuple[tuple[Node, ...], tuple[Problem, ...]]:
@@ -189,7 +198,7 @@ def alone(
         if own.reason is not None:
             unknowns = (*unknowns, Unknown("name", own.reason, own.location or location))
         why = ANONYMOUS if own.reason is None else f"{UNNAMED}: {own.reason}"
-        ends = endpoints(followed.made, by({}), server, why)
+        ends = endpoints(followed.made, by({}), server.get, why)
         made = replace(node, name=own.name, process=own.name, unknowns=unknowns, endpoints=ends)
         made = replace(made, paces=paces(followed.made))
         return (made if ends or names else replace(made, kind=PROGRAM),), followed.problems
@@ -206,7 +215,7 @@ def standalone(types: Types, look_up: str) -> Job:
     described, entry, files = types.nodelets[look_up]
     is_invalid = ":" in look_up
     name = "/?" if is_invalid else "/" + "_".join(part for part in look_up.split("/") if part)
-    instance = Instance(name, "/", (), {}, name)
+    instance = Instance(name, "/", (), {}, name, has_own=True)
     server = ParameterServer(())
     package, last = type_of(look_up, described)
     line = entry.definition.line if entry.definition is not None else 1
@@ -225,7 +234,7 @@ def standalone(types: Types, look_up: str) -> Job:
         unknowns = incomplete(followed, entry, node.location)
         if is_invalid:
             unknowns = (*unknowns, Unknown("name", COLON, node.location))
-        ends = endpoints(followed.made, by({}), server, f"{UNNAMED}: {COLON}" if is_invalid else UNNAMED)
+        ends = endpoints(followed.made, by({}), server.get, f"{UNNAMED}: {COLON}" if is_invalid else UNNAMED)
         made = replace(node, unknowns=unknowns, endpoints=ends)
         return (replace(made, paces=paces(followed.made)),), followed.problems
 

@@ -263,10 +263,8 @@ class UsedCode:
 
     def _read(self, file: SourceFile) -> str:
         """The text of *file*, names as Python reads them."""
-        if file.path in self._read_before:
-            return self._read_before[file.path]
         text = self._workspace.text(file.path)
-        read = as_python_reads(text)
+        read = self._read_before.get(file.path) or as_python_reads(text)
         if read is not text:
             self._read_before[file.path] = read
         return read
@@ -287,9 +285,8 @@ class UsedCode:
     @cached_property
     def _in_forms(self) -> frozenset[str]:
         """The names of what forms of Qt have the code that is made of them include."""
-        forms = sorted(path for path in self._workspace.names if path.endswith(".ui"))
-        found = (name for path in forms for name in of_form(self._workspace.text(path)))
-        return frozenset(name.rpartition("/")[2] for name in found)
+        forms = (self._workspace.text(path) for path in self._workspace.names if path.endswith(".ui"))
+        return frozenset(name.rpartition("/")[2] for text in forms for name in of_form(text))
 
     def _given(self) -> frozenset[str]:
         return frozenset(

@@ -517,10 +517,6 @@ DEFECTS = (
         "destructor",
     )
     | because(
-        "std::move leaves its argument as it was (library_cpp.TRANSPARENT)",
-        "moved away",
-    )
-    | because(
         ("a pointer to text is the text itself, so other pointers to it do not see what is set (create, new)"),
         "shared_ptr<std::string> shared",
         "new std::string shared",

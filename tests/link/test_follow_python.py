@@ -536,7 +536,6 @@ DEFECTS = (
     | because(
         ("first values and default arguments are computed when they are first used (lookup.global_cell, bind)"),
         "default evaluated once",
-        "mutable default",
         "class attribute evaluated once",
     )
     | because(
@@ -595,6 +594,11 @@ TYPES = (
     ("from std_msgs.msg import *", "Int32", "std_msgs/Int32"),
     ("from a_msgs.msg import *\nfrom b_msgs.msg import *", "Thing", None),
     ("from elsewhere import *\nfrom std_msgs.msg import *", "Thing", None),
+    ("from actionlib import GoalStatusArray", "GoalStatusArray", "actionlib_msgs/GoalStatusArray"),
+    ("from actionlib.action_client import GoalID", "GoalID", "actionlib_msgs/GoalID"),
+    ("from actionlib import *", "GoalStatusArray", "actionlib_msgs/GoalStatusArray"),
+    ("import actionlib", "actionlib.GoalStatusArray", "actionlib_msgs/GoalStatusArray"),
+    ("from actionlib import Thing", "Thing", None),
     ("from elsewhere import Thing", "Thing", None),
     ("class Int32:\n    pass", "Int32", None),
     ("from std_msgs.msg import Int32, Bool\nT = Int32 if cond() else Bool", "T", None),

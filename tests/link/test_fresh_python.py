@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import pytest
-from follow_kit import PYTHON_HEAD, PYTHON_INIT, case, ends, follow, names, node, python_files, table
+from follow_kit import PYTHON_HEAD, PYTHON_INIT, case, ends, follow, names, node, python, python_files, table
 
 from haros_ci.model.architecture import Node
 
@@ -247,3 +247,12 @@ def test_a_path_of_a_launch_file_is_not_empty(code: str, expected: str) -> None:
         '<node pkg="p" type="n.py" name="n" args="$(arg t)"/></launch>'
     )
     assert script("", launch).arguments == expected
+
+
+def test_parameters_in_brackets_of_python_2() -> None:
+    body = (
+        'class C:\n    def __init__(self, n):\n        rospy.Subscriber("in", String, self.cb, (n, "x"))\n'
+        "    def cb(self, m, (number, name)):\n        PUB(name + str(number))\nC(3)\n"
+        "def g(a, (b, c)):\n    if b:\n        PUB(c)\ng(1, (2, 'z'))\n"
+    )
+    assert names(python(body)) == ["/?", "/x3"]

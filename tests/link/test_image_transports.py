@@ -52,3 +52,40 @@ QUIET = (
 def test_nothing_below_what_is_not_advertised_as_an_image(code: str) -> None:
     found = cpp('ADV("base", 1); ' + code, IT + "void cb(const sensor_msgs::ImageConstPtr& m);\n")
     assert not [end.name for end in ends(found) if end.name.endswith(("/compressed", "/compressedDepth", "/theora"))]
+
+
+BASE = """#include <elsewhere/base.h>
+class C : public elsewhere::Base { public: C() : Base("c") { %s } void im(const sensor_msgs::ImageConstPtr& m) {}
+ void both(const sensor_msgs::ImageConstPtr& m, const sensor_msgs::CameraInfoConstPtr& i) {} };
+"""
+
+
+@pytest.mark.parametrize(
+    ("code", "expected"),
+    [
+        ('p = transport.advertise("/image", 1);', [("/image", "sensor_msgs/Image")]),
+        ('p = transport->advertise("/image", 1, true);', [("/image", "sensor_msgs/Image")]),
+        (
+            'p = transport.advertiseCamera("/a/image", 1);',
+            [("/a/camera_info", "sensor_msgs/CameraInfo"), ("/a/image", "sensor_msgs/Image")],
+        ),
+        (
+            's = transport.subscribeCamera("/a/image", 1, &C::both, this);',
+            [("/a/camera_info", "sensor_msgs/CameraInfo"), ("/a/image", "sensor_msgs/Image")],
+        ),
+        # what is another call
+        ('p = handle.advertise<std_msgs::String>("/text", 1);', [("/text", "std_msgs/String")]),
+        ("p = handle.advertise(options);", [("/?", None)]),
+    ],
+)
+def test_a_transport_of_a_base_class_that_is_not_here(code: str, expected: list[tuple[str, str]]) -> None:
+    found = cpp("C c;", IT + BASE % code)
+    assert (
+        sorted(
+            (end.name, end.type)
+            for kind in ("publishers", "subscribers")
+            for end in ends(found, kind)
+            if not end.implicit
+        )
+        == expected
+    )

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import pytest
-from follow_kit import ends, python
+from follow_kit import ends, explicit, follow, names, only, python
 
 CODE = "def f():\n    %s\n    rospy.Publisher('a', %s, queue_size=1)\nf()\n"
 BLOCKS = {
@@ -43,3 +43,32 @@ def test_a_name_of_another_function() -> None:
     )
     (end,) = ends(python(other + CODE % ("pass", "String")))
     assert end.type == "std_msgs/String"
+
+
+STAND_IN = "class Talker:\n    def __init__(self, *args, **others):\n        pass\n"
+INSTEAD = (
+    ("try:\n    from lib.talk import Talker\nexcept ImportError:\n%s", ["/talk"]),
+    ("if f():\n    from lib.talk import Talker\nelse:\n%s", ["/talk"]),
+    ("try:\n    from elsewhere import Talker\nexcept ImportError:\n%s", []),
+    ("from lib.talk import Talker\n%s", []),
+    ("%s", []),
+)
+
+
+@pytest.mark.parametrize(("text", "expected"), INSTEAD)
+def test_a_class_that_stands_in_for_what_cannot_be_imported(text: str, expected: list[str]) -> None:
+    inner = "".join(f"    {line}\n" for line in STAND_IN.splitlines()) if text.startswith(("try", "if")) else STAND_IN
+    talk = 'import rospy\nfrom std_msgs.msg import String\nclass Talker:\n    def __init__(self):\n        rospy.Publisher("talk", String)\n'
+    assert names(python(text % inner + "Talker()\n", talk=talk)) == expected
+
+
+def test_the_node_class_of_rclpy_is_meant_where_there_is_a_stand_in() -> None:
+    text = (
+        "try:\n    import rclpy\n    from rclpy.node import Node\n    from std_msgs.msg import String\n"
+        "except ImportError:\n    class Node:\n        pass\n"
+        "class L(Node):\n    def __init__(self):\n        super().__init__('l')\n        self.create_publisher(String, 'a', 5)\n"
+        "def main():\n    rclpy.init()\n    rclpy.spin(L())\n"
+    )
+    setup = "from setuptools import setup\nsetup(name='p', packages=['p'], entry_points={'console_scripts': ['n = p.m:main']})"
+    (made,) = only(follow({"p/setup.py": setup, "p/p/__init__.py": "", "p/p/m.py": text}, 2)).nodes
+    assert [end.name for end in explicit(made)] == ["/a"]

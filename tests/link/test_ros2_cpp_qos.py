@@ -6,6 +6,7 @@ from __future__ import annotations
 from typing import Any
 
 import pytest
+from follow_kit import explicit, ros2_cpp
 from ros2_cpp_kit import BEST, KEPT, PUB, component, last, only, policies
 
 from haros_ci.model.architecture import Qos
@@ -135,3 +136,35 @@ def test_times(chain: str, expected: dict[str, Any]) -> None:
     end = only(component(f'p_ = {PUB}("a", rclcpp::QoS(1).{chain});'))
     assert end.qos == Qos(history="keep_last", depth=1, reliability="reliable", durability="volatile", **expected)
     assert end.unknowns == ()
+
+
+CRYSTAL = (
+    ('create_publisher<String>("a");', "publishers", "keep_last 10 reliable"),
+    ('create_publisher<String>("a", rmw_qos_profile_sensor_data);', "publishers", "keep_last 5 best_effort"),
+    ('create_subscription<String>("a", [this](String::SharedPtr m) { });', "subscribers", "keep_last 10 reliable"),
+    (
+        'create_subscription<String>("a", std::bind(&N::cb, this, std::placeholders::_1));',
+        "subscribers",
+        "keep_last 10 reliable",
+    ),
+    (
+        'create_subscription<String>("a", std::bind(&N::cb, this, std::placeholders::_1), rmw_qos_profile_sensor_data);',
+        "subscribers",
+        "keep_last 5 best_effort",
+    ),
+    (
+        'create_subscription<String>("a", 5, std::bind(&N::cb, this, std::placeholders::_1));',
+        "subscribers",
+        "keep_last 5 reliable",
+    ),
+    ('create_subscription<String>("a", f(), std::bind(&N::cb, this, std::placeholders::_1));', "subscribers", "? ? ?"),
+)
+
+
+@pytest.mark.parametrize(("code", "kind", "expected"), CRYSTAL)
+def test_without_a_quality_of_service_or_with_it_last(code: str, kind: str, expected: str) -> None:
+    """As rclcpp up to Crystal has it."""
+    (made,) = ros2_cpp(code, "void cb(String::SharedPtr m) { }").nodes
+    (end,) = explicit(made, kind)
+    assert end.qos is not None
+    assert (end.name, f"{end.qos.history} {end.qos.depth} {end.qos.reliability}") == ("/a", expected)

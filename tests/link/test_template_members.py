@@ -120,3 +120,16 @@ TAKING = "template<typename T> class C { public: void cb(%s m) {} int k_; };\ncl
 def test_the_type_that_a_method_of_a_class_template_takes(parameter: str, call: str, kind: str | None) -> None:
     found = cpp(call.replace("NAME", '"t", 1') + ";", TAKING % parameter)
     assert [end.type for end in found.endpoints if end.kind == "subscribers"] == [kind]
+
+
+PARTS = """#include <array>
+class P { public: P() : rel_("~") {} void init(std::string const& n) { nh_ = ros::NodeHandle(rel_, n); p = nh_.advertise<std_msgs::String>("f", 1); }
+ ros::NodeHandle rel_, nh_; ros::Publisher p; };
+template <class T, unsigned int N> class Several { typedef std::array<T, N> Parts; Parts parts_; std::array<T, N> more_;
+ public: Several() {} void start(std::string a, std::string b) { parts_.at(0).init(a); parts_[1].init(b); more_[N - 1].init("c"); } };
+class Two : public Several<P, 2> { public: Two() {} };
+"""
+
+
+def test_an_array_of_as_many_as_a_template_parameter_says() -> None:
+    assert names(cpp('Two t; t.start("x", "y");', PARTS)) == ["/n/c/f", "/n/x/f", "/n/y/f"]

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import pytest
-from follow_kit import CPP_HEAD, cpp, explicit, names, ros2_cpp
+from follow_kit import CPP_HEAD, cpp, ends, explicit, names, ros2_cpp, types
 
 HEADER = '#include <string>\nnamespace ns { class B { public: B(const std::string& s = "robot"); virtual ~B(); }; }\n'
 OTHER = '#include <string>\nnamespace other { class B { public: B(const std::string& s = "else"); }; }\n'
@@ -27,7 +27,44 @@ def test_an_argument_that_is_given(code: str) -> None:
 
 def test_one_of_two_classes_of_one_name() -> None:
     found = cpp("ns::B b;", '#include "b.h"\n#include "o.h"\n', b__h=HEADER, o__h=OTHER, b__cpp=USING)
-    assert names(found) == ["/?"]
+    assert names(found) == ["/robot"]
+
+
+CLASS = (
+    "#include <ros/ros.h>\n#include <std_msgs/String.h>\nnamespace ns { class C { public: using Text = std_msgs::String; "
+    "typedef std_msgs::Bool Flag; enum { SIZE = 7 }; void init(); void flag(const Flag::ConstPtr& f); ros::NodeHandle nh; }; }\n"
+)
+INIT = (
+    'void C::init() { nh.advertise<Text>("a", SIZE); nh.subscribe("b", 1, &C::flag, this); }\n'
+    'void C::flag(const Flag::ConstPtr& f) { nh.advertise<Flag>("c", 1); }\n'
+)
+
+
+@pytest.mark.parametrize(
+    "opened",
+    [
+        "using namespace ns;\n%s",
+        "namespace { using namespace ns; }\n%s",
+        "namespace ns {\n%s}\n",
+        "namespace ns {\n#define C ns::C\n%s}\n",
+    ],
+)
+def test_what_a_class_names_is_known_in_its_methods(opened: str) -> None:
+    found = cpp("ns::C c; c.init();", '#include "c.h"\n', c__h=CLASS, c__cpp='#include "c.h"\n' + opened % INIT)
+    assert [(end.name, end.type, end.queue_size) for end in ends(found) + ends(found, "subscribers")] == [
+        ("/a", "std_msgs/String", 7),
+        ("/c", "std_msgs/Bool", 1),
+        ("/b", "std_msgs/Bool", 1),
+    ]
+
+
+@pytest.mark.parametrize("opened", ["", "using namespace other;\n"])
+def test_a_class_in_a_namespace_that_is_not_open_is_another_one(opened: str) -> None:
+    other = "namespace other { class D {}; class C { public: void init(); }; }\n"
+    body = 'void C::init() { ros::NodeHandle nh; nh.advertise<Text>("a", SIZE); }\n'
+    source = f'#include "c.h"\n{other}{opened}{body}'
+    found = cpp("ns::C c; c.init();", '#include "c.h"\n', c__h=CLASS, c__cpp=source)
+    assert types(found) in ([], [("/a", None)])
 
 
 INCLUDE = "#include <my_msgs/msg/some_point2.hpp>\n"

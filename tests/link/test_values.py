@@ -464,10 +464,6 @@ DEFECTS = (
         "all objects by value",
     )
     | because(
-        "goto is passed over (extract/cpp statements)",
-        "goto",
-    )
-    | because(
         ("first values and default arguments are computed when they are first used (lookup.global_cell, bind)"),
         "global made from another",
     )

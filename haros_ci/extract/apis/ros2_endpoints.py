@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-SERVICES = "rmw_qos_profile_services_default"
+SERVICES, DEFAULT = "rmw_qos_profile_services_default", "rmw_qos_profile_default"
 PUBLISHER, SUBSCRIPTION = "rclcpp::Publisher", "rclcpp::Subscription"
 SERVICE, CLIENT = "rclcpp::Service", "rclcpp::Client"
 
@@ -70,7 +70,12 @@ def _client(call: str, args: list[int], name: int, generic: bool = False, **more
 NODE: dict[str, Any] = {"namespace": "{0}"}
 # fmt: off
 ROWS: tuple[Mapping[str, object], ...] = (
-    # rclcpp/node.hpp: methods of a node.
+    # rclcpp/node.hpp: methods of a node; up to ROS 2 Crystal a quality of service comes last, or is the default.
+    _row("rclcpp::Node::create_publisher", [1], "publishers", 0, type="{<0>}", qos=f"{{1?{DEFAULT}}}",
+         fills={"topic": "{resolve(0)}"}, returns=PUBLISHER),
+    _row("rclcpp::Node::create_subscription", [2, 3, 4, 5], "subscribers", 0, when={"1": "function"},
+         type="{<0>|callback(1)}", qos=f"{{2?{DEFAULT}}}", calls=["1"], fills={"topic": "{resolve(0)}"},
+         returns=SUBSCRIPTION),
     *_topic("rclcpp::Node::create_publisher", [2, 3], 0),
     *_subscription("rclcpp::Node::create_subscription", [3, 4, 5], 0),
     *_service("rclcpp::Node::create_service", [2, 3, 4], 0),

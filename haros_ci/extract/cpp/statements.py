@@ -12,6 +12,7 @@ from haros_ci.extract.cpp import (
     declarations,
     expansion,
     expressions,
+    labels,
     method_pointers,
     preprocessor,
     scopes,
@@ -286,6 +287,8 @@ def _nested(unit: Unit, node: Node, depth: int, out: Statements) -> None:
 
 def _inside(unit: Unit, node: Node, depth: int, out: Statements) -> None:
     """What stands behind labels and attributes, and what can be read within a syntax error."""
+    if node.type == "labeled_statement":
+        out.extend(labels.unknown(unit, node))
     out.extend(block(unit, node.children, depth))
 
 

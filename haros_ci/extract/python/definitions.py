@@ -7,6 +7,7 @@ import ast
 from collections.abc import Callable
 from typing import Any
 
+from haros_ci import syntax
 from haros_ci.extract.python import generators
 from haros_ci.extract.python.annotations import NO_TYPE, dotted, type_of
 from haros_ci.extract.python.expressions import expression, parameters, this_within
@@ -61,8 +62,8 @@ def define_function(
     return index
 
 
-def define_class(node: ast.ClassDef, scope: PythonScope, depth: int, lower: LowerBlock) -> str:
-    """Lower a class into ``scope.file.classes`` and give its qualified name."""
+def define_class(node: ast.ClassDef, scope: PythonScope, depth: int, lower: LowerBlock) -> tuple[str, Block]:
+    """Lower a class into ``scope.file.classes``; its qualified name, and the calls that are statements of its body: they run where it is defined."""
     file = scope.file
     name = qualified(scope, node.name)
     bindings = Bindings()
@@ -70,11 +71,11 @@ def define_class(node: ast.ClassDef, scope: PythonScope, depth: int, lower: Lowe
     bases = tuple([annotation(base, scope, depth) for base in node.bases])
     line, column = place(file.source, node)
     file.classes.append(Class(name, bases, (), line, column, _templates(node)))
-    lower(node.body, PythonScope(file, "class", name, None, bindings), depth)
+    body = lower(node.body, PythonScope(file, "class", name, None, bindings), depth)
     fields = bound(bindings, file.source, set())
     marks = tuple([expression(item, scope, depth) for item in node.decorator_list])
     file.classes[index] = Class(name, bases, fields, line, column, _templates(node), decorators=marks)
-    return name
+    return name, tuple(one for one in body if type(one) is syntax.Do and type(one.value) is syntax.Call)
 
 
 def annotation(node: ast.expr | None, scope: PythonScope, depth: int) -> Type:

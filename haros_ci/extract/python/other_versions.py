@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Text of other versions of Python for the parser of this one: what it lacks is respelled on its lines.
 
-Of Python 2: print, exec and raise with a comma, ``except A, e``, backquotes, ``<>``, ``0777``, ``1L``, ``ur""`` and tabs mixed with
-spaces (docs.python.org/3/whatsnew/3.0.html). Of Python 3.12: type parameters, and the word of ``type`` statements (PEP 695).
+Of Python 2: print, exec and raise with a comma, ``except A, e``, backquotes, ``<>``, ``0777``, ``1L``, ``ur""``, tabs mixed with
+spaces and parameters in brackets (docs.python.org/3/whatsnew/3.0.html). Of Python 3.12: type parameters, and the word of ``type`` statements (PEP 695).
 Nothing else changes, and no line moves.
 """
 
@@ -32,9 +32,12 @@ def repair(text: str) -> tuple[str, dict[int, list[Edit]]]:
     prints = not _PRINT_FUNCTION.search(text)
     tabs = "\t" in text
     changes: list[_Change] = []
-    for line in logical_lines(text):
+    lines = list(logical_lines(text))
+    for number, line in enumerate(lines):
         if tabs:
             changes.extend(_indentation(text, line[0]))
+        if line[0].text == "def":
+            changes.extend(_unpacked(text, line, lines[number + 1 : number + 2]))
         changes.extend(_literals(line))
         for statement in _statements(line):
             changes.extend(_statement(statement, prints))
@@ -66,6 +69,30 @@ def _indentation(text: str, first: Token) -> Iterator[_Change]:
     indent = text[start : first.start]
     if "\t" in indent and not indent.strip(" \t"):
         yield start, first.start, indent.expandtabs(8)
+
+
+def _unpacked(text: str, line: list[Token], after: list[list[Token]]) -> list[_Change]:
+    """``def f(a, (b, c)):`` as ``def f(a, _1):``, with ``(b, c) = _1;`` before the first statement (PEP 3113).
+
+    Where that is a compound one, ``b`` and ``c`` are what a function gives of which nothing is known.
+    """
+    made: list[_Change] = []
+    unpacking, names = "", ""
+    colon = next((index for index, token in enumerate(line) if token.text == ":" and not token.depth), len(line))
+    for index, token in enumerate(line[:colon]):
+        if token.text == "(" and token.depth == 1 and line[index - 1].text in ("(", ","):
+            end = next((other.end for other in line[index:] if other.text == ")" and other.depth == 1), None)
+            if end is not None:
+                made.append((token.start, end, f"_{token.start}"))
+                unpacking += f"{' '.join(text[token.start : end].split())} = _{token.start}; "
+                inside = (other.text for other in line if token.start < other.start < end and other.kind == "name")
+                names += "".join(f", {name}=_unpacked_()" for name in inside)
+    body = line[colon + 1 :] or (after[0] if after else [])
+    if made and body and (body[0].text in _COMPOUND or body[0].text in ("@", "async")):
+        close = next((token for token in reversed(line[:colon]) if token.text == ")" and not token.depth), line[0])
+        is_last = not any(token.text == "**" and token.depth == 1 for token in line)
+        return [*made, (close.start, close.start, names)] if is_last else []
+    return [*made, (body[0].start, body[0].start, unpacking)] if made and body else []
 
 
 def _literals(line: list[Token]) -> Iterator[_Change]:

@@ -269,8 +269,8 @@ def _function(node: ast.FunctionDef | ast.AsyncFunctionDef, scope: PythonScope, 
 
 def _class(node: ast.ClassDef, scope: PythonScope, depth: int) -> Block:
     rebind(scope, node.name)
-    name = define_class(node, scope, depth, block)
-    return (syntax.NestedClass(name),) if scope.kind != "class" else ()
+    name, calls = define_class(node, scope, depth, block)
+    return (syntax.NestedClass(name), *calls) if scope.kind != "class" else ()
 
 
 def _import(node: ast.Import | ast.ImportFrom, scope: PythonScope, depth: int) -> Block:

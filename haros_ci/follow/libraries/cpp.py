@@ -14,6 +14,7 @@ from haros_ci.follow.libraries import (
     cpp_data,
     formats,
     given_away,
+    moves,
     patterns,
     texts,
     tuples,
@@ -67,13 +68,11 @@ MAKERS = frozenset(
     for name in ("make_shared", "make_unique", "make_optional", "shared_ptr", "unique_ptr", "weak_ptr")
 )
 TRANSPARENT = frozenset(
-    (
-        "std::move std::forward std::ref std::cref boost::ref boost::cref std::string string boost::shared_ptr "
-        "boost::static_pointer_cast std::static_pointer_cast boost::dynamic_pointer_cast std::dynamic_pointer_cast "
-        "std::const_pointer_cast ros::names::clean boost::filesystem::path std::to_string boost::to_string "
-        "boost::lexical_cast std::function boost::function std::max std::abs CHECK_NOTNULL DCHECK_NOTNULL "
-        "GazeboRosPtr gazebo::GazeboRosPtr FMT_COMPILE FMT_STRING fmt::runtime"
-    ).split()
+    "std::move std::forward std::ref std::cref boost::ref boost::cref std::string string boost::shared_ptr "
+    "boost::static_pointer_cast std::static_pointer_cast boost::dynamic_pointer_cast std::dynamic_pointer_cast "
+    "std::const_pointer_cast ros::names::clean boost::filesystem::path std::to_string boost::to_string "
+    "boost::lexical_cast std::function boost::function std::max std::abs CHECK_NOTNULL DCHECK_NOTNULL "
+    "GazeboRosPtr gazebo::GazeboRosPtr FMT_COMPILE FMT_STRING fmt::runtime".split()
 )
 
 
@@ -133,8 +132,8 @@ def function(  # noqa: C901 - one branch for each modelled function
     if name.endswith("::directory_iterator") and args:
         return library_xml.directory(walk, args[0].value)
     if name == "std::make_pair" and len(args) == 2:
-        return Object("std::pair", fields={"first": Cell(args[0].value), "second": Cell(args[1].value)})
-    if name.startswith(("std::", "boost::")):
+        return instance(walk, frame, Type("std::pair"), args)
+    if name.startswith(("std::", "boost::", "mrpt::")):
         text = algorithms.rewritten(walk, name, args)
         if text is not None:
             return text
@@ -161,7 +160,7 @@ def function(  # noqa: C901 - one branch for each modelled function
             return concatenate((value,))
         if name in ("std::max", "std::abs"):
             return None
-        return value
+        return moves.away(walk, frame, args[0]) if name == "std::move" else value
     if name == "ros::package::getPath" and args and isinstance(args[0].value, Known):
         return Known(f"$(find {args[0].value.value})")
     if name in ("ros::names::append", "ros::names::parentNamespace"):

@@ -184,7 +184,7 @@ def argv(walk: Walk, frame: Frame, is_own: bool = False) -> Value:
     is_other = bool(walk.ruled_out() or walk.beyond or frame.is_dead)
     if context.arguments is None or (is_other and not is_launched):
         return Opaque("the command line")
-    words: list[Value] = [Opaque("the program's name"), *(Known(word) for word in context.arguments)]
+    words: list[Value] = [Opaque("the program's name"), *context.words()]
     if is_own:
         words = [word for word in words if not (isinstance(word, Known) and ":=" in word.of(str))]
     elif is_launched:

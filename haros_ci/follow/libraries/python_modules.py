@@ -54,8 +54,9 @@ def imported(walk: Walk, first: Iterable[Source]) -> set[str]:
     return found
 
 
-#: Python modules that give the messages of a package under their own name (tf2_geometry_msgs.py, tf2_sensor_msgs.py of geometry2).
-PASSING = {"tf2_geometry_msgs": "geometry_msgs", "tf2_sensor_msgs": "sensor_msgs"}
+#: Python modules that give the messages of a package under their own name (tf2_geometry_msgs.py, tf2_sensor_msgs.py of geometry2;
+#: actionlib's ``__init__.py`` and modules have ``from actionlib_msgs.msg import *``).
+PASSING = {"tf2_geometry_msgs": "geometry_msgs", "tf2_sensor_msgs": "sensor_msgs", "actionlib": "actionlib_msgs"}
 
 
 def passed_on(target: str) -> str:
@@ -140,8 +141,9 @@ def starred(walk: Walk, source: Source, name: str) -> str | None:
     for alias in reversed(source.program.aliases):  # of several the last counts
         module = alias.type.name.removesuffix(".*")
         package, _, kind = module.rpartition(".")
-        if alias.name == "*" and f"{module}.{name}" in walk.rows:
-            return f"{module}.{name}"
+        whole = f"{module}.{name}"
+        if alias.name == "*" and (whole in walk.rows or passed_on(whole) != whole):
+            return passed_on(whole)
         if alias.name != "*" or kind not in ("msg", "srv"):
             continue
         if f"{package}/{name}" in walk.index.interfaces or _of_action(walk, package, name):

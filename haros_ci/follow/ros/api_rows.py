@@ -57,13 +57,21 @@ UPDATES = frozenset(("_callback", "_set_callback"))
 HANDLES = frozenset(("ros::NodeHandle",))
 #: Methods that no other class has: a receiver of unknown type is taken for a node handle.
 UNMISTAKABLE = frozenset(("advertise", "advertiseService", "serviceClient"))
+CAMERAS = frozenset(("advertiseCamera", "subscribeCamera"))
 
 
-def node_class(walk: Walk, name: str, separator: str) -> str:
+def handle(name: str, count: int, is_typed: bool) -> str:
+    """The class of ROS 1 that only has a method of that *name* with *count* arguments: a publisher without a type in its call is one of images."""
+    if name in CAMERAS or (name == "advertise" and count > 1 and not is_typed):
+        return "image_transport::ImageTransport"
+    return "ros::NodeHandle" if name in UNMISTAKABLE else ""
+
+
+def node_class(walk: Walk, name: str, separator: str, count: int, is_typed: bool) -> str:
     """The class that a method can only be of, whatever it is called on: a node handle's or, in ROS 2, a node's; else ""."""
     if walk.context.process is not None:
         return ros2_nodes.NODE[separator] if name in ros2_nodes.UNMISTAKABLE else ""
-    return "ros::NodeHandle" if separator == "::" and name in UNMISTAKABLE else ""
+    return handle(name, count, is_typed) if separator == "::" else ""
 
 
 def call(
@@ -321,7 +329,7 @@ def _items(applied: selectors.Applied, entry: Entry) -> list[Mapping[str, Value]
 
 def parameter_value(applied: selectors.Applied, name: str, default: Value | None) -> Value | None:
     """What reading parameter *name* gives: what the configuration sets, else the default; None if there is neither."""
-    if "?" in name:
+    if not applied.walk.context.is_asked(name):
         return Opaque("the parameter's name is not known")
     found = applied.walk.parameter(clean(name))
     if found is None:

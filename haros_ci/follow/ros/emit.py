@@ -139,7 +139,7 @@ def _set(applied: Applied, name: str, value: Value) -> None:
     own = walk.server.value
     if isinstance(own, Opaque):
         return
-    if "?" in name:
+    if not walk.context.is_asked(name):
         walk.state.write(walk.server, Opaque("a parameter is set under a name that is not known", applied.location))
         return
     known, data = data_of(value)

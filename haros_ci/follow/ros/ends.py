@@ -8,21 +8,23 @@ from dataclasses import replace
 
 from haros_ci.follow.made import MadeEntity
 from haros_ci.follow.ros.paces import endpoints_only
-from haros_ci.graph.parameters import ParameterServer
 from haros_ci.index.ros_types import data_type
 from haros_ci.model.architecture import KINDS, Condition, Endpoint, Unknown
-from haros_ci.values.abstract import Known
+from haros_ci.values.abstract import Known, Value
 
 #: Why a name is unknown that the code itself knows.
 UNNAMED = "the name of the node or of its namespace is not known"
 
 
 def endpoints(
-    made: Iterable[MadeEntity], remap: Callable[[MadeEntity], str], server: ParameterServer, unnamed: str = UNNAMED
+    made: Iterable[MadeEntity],
+    remap: Callable[[MadeEntity], str],
+    parameter: Callable[[str], Value | None],
+    unnamed: str = UNNAMED,
 ) -> tuple[Endpoint, ...]:
     """Endpoints with their final names, by kind and place; *unnamed* says why the node's own name is not known.
 
-    A getter whose variable has no known type has the type of what the configuration sets.
+    A getter whose variable has no known type has the type of what the configuration sets (*parameter*).
     """
     order = {kind: number for number, kind in enumerate(KINDS)}
     found = [
@@ -54,7 +56,7 @@ def endpoints(
         )
         for item, final in ((item, remap(item)) for item in endpoints_only(made))
     ]
-    found = [_typed(end, server) if end.kind == "getters" and end.type is None else end for end in found]
+    found = [_typed(end, parameter) if end.kind == "getters" and end.type is None else end for end in found]
     return tuple(
         sorted(
             _typed_by_each_other(found),
@@ -82,8 +84,8 @@ def _typed_by_others(item: MadeEntity, final: str, unnamed: str) -> tuple[Unknow
     return ()
 
 
-def _typed(end: Endpoint, server: ParameterServer) -> Endpoint:
-    value = server.get(end.name)
+def _typed(end: Endpoint, parameter: Callable[[str], Value | None]) -> Endpoint:
+    value = parameter(end.name)
     kind = data_type(value.value) if isinstance(value, Known) else None
     if kind is None:
         return end

@@ -9,6 +9,7 @@ from haros_ci import syntax
 from haros_ci.follow import conversions, thrown
 from haros_ci.follow.made import MadeEntity, Range, make
 from haros_ci.follow.ros import forwarding, paces, qos_calls, qos_overrides, ros2_nodes, ros2_parameters, ros2_selectors
+from haros_ci.follow.ros.possible_names import ONE_OF_NAMES, possible_names
 from haros_ci.graph.names import UNKNOWN, pattern
 from haros_ci.graph.ros2_process import GIVEN, NO_DEFAULT, NO_NAME, RosNode
 from haros_ci.index.ros_types import ros2_data_type, ros2_parameter_type
@@ -42,8 +43,6 @@ MORE = "names that parameters may add"
 NOT_EMPTY = "as things are it is empty, and this is not made"
 #: Why a name is not known that is a slash alone: rmw refuses it (rmw/validate_full_topic_name.h).
 SLASH_ALONE = "as things are it is '/', which is no name of a topic or service"
-#: Why it is not known whether something is made under a name.
-ONE_OF_NAMES = "its name is one of several"
 PARAMETERS = frozenset(("getters", "setters", "parameters"))
 
 
@@ -60,12 +59,13 @@ def emit(applied: Applied, entry: Entry) -> Value | None:
         return None
     provided = value_at(applied, entry.values["name"]) if "name" in entry.values else None
     if isinstance(provided, Choice) and entry.kind not in PARAMETERS:
-        names = [option for option in provided.options if option != Known("")]
+        names = possible_names(provided)
         if any(isinstance(option, Known) for option in names):
             for option in names:
                 with walk.doubted(ONE_OF_NAMES):
                     _named(applied, entry, option, node, why_not)
             return None
+        provided = names[0] if len(names) == 1 else provided
     return _named(applied, entry, provided, node, why_not)
 
 

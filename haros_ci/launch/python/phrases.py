@@ -9,7 +9,7 @@ from typing import Any
 from haros_ci.launch.python.paths import MARKER
 from haros_ci.launch.python.run import ScriptEvaluation
 from haros_ci.launch.python.sequences import items_of
-from haros_ci.launch.python.values import LibraryCall, Maybe, Unknown, Value, merged, mystery, phrase, why
+from haros_ci.launch.python.values import LibraryCall, Maybe, Rest, Unknown, Value, merged, mystery, phrase, why
 from haros_ci.model.launch_actions import Phrase, Substitution
 
 
@@ -47,7 +47,7 @@ def words(run: ScriptEvaluation, value: Value, call: LibraryCall) -> Phrase:
         if not text or (len(text) == 1 and isinstance(text[0], str)):
             word = str(text[0]) if text else ""
             parts.append(shlex.quote(word) if not word or needs_quotes(word) else word)
-        elif all(isinstance(part, Substitution) for part in text):
+        elif all(isinstance(part, Substitution) for part in text) and not isinstance(item, (Maybe, Rest)):
             parts.extend(("'", *text, "'"))  # the value is one word, also where it is empty or has blanks
         else:
             parts.extend(text)

@@ -52,37 +52,39 @@ def node(state: RoslaunchState, scope: LoaderScope, tag: LaunchElement, conditio
     inner = scope.child(full, conditions)
     outer = scope.child(scope.namespace, conditions)
     named: list[Named] = []
-    for child in tag.children:
-        state.spend(5)
-        kind = child.tag.lower()
-        if kind not in ("remap", "param", "rosparam", "env"):
-            state.wrong(scope, child, f"<{child.tag}> cannot stand in <{tag.tag}>; remove it")
-            continue
-        under = state.conditions(outer, child)
-        if under is None:
-            if kind in ("rosparam", "param"):
-                assume(state, outer, child, partial(_own_parameter, state, inner, full, child))
-            continue
-        with held(state, outer, child):
-            if kind == "remap":
-                remap(state, own, child, under)
-            elif kind == "env":
-                environment(state, own, child, under)
-            elif kind == "rosparam":
-                rosparam(state, inner, child, under)
-            else:
-                made = params(state, outer, child, under)
-                named.extend(Named(m.name, replace(m.parameter, presence=state.presence)) for m in made)
-    for private in scope.privates:
-        merged = _merged(private.parameter.conditions, conditions)
-        named_private = replace(private.parameter, conditions=merged)
-        state.add_parameter(_private_name(full, private.name), named_private)
-    for entry in named:
-        state.add_parameter(_private_name(full, entry.name), entry.parameter)
-    _arguments(state, scope, tag, full, options["args"], conditions)
+    with state.in_tag() as mine:
+        for child in tag.children:
+            state.spend(5)
+            kind = child.tag.lower()
+            if kind not in ("remap", "param", "rosparam", "env"):
+                state.wrong(scope, child, f"<{child.tag}> cannot stand in <{tag.tag}>; remove it")
+                continue
+            under = state.conditions(outer, child)
+            if under is None:
+                if kind in ("rosparam", "param"):
+                    assume(state, outer, child, partial(_own_parameter, state, inner, full, child))
+                continue
+            with held(state, outer, child):
+                if kind == "remap":
+                    remap(state, own, child, under)
+                elif kind == "env":
+                    environment(state, own, child, under)
+                elif kind == "rosparam":
+                    rosparam(state, inner, child, under)
+                else:
+                    made = params(state, outer, child, under)
+                    named.extend(Named(m.name, replace(m.parameter, presence=state.presence)) for m in made)
+        for private in scope.privates:
+            merged = _merged(private.parameter.conditions, conditions)
+            named_private = replace(private.parameter, conditions=merged)
+            state.add_parameter(_private_name(full, private.name), named_private)
+        for entry in named:
+            state.add_parameter(_private_name(full, entry.name), entry.parameter)
+        _arguments(state, scope, tag, full, options["args"], conditions)
     state.spend(len(own.remaps) // 4 + len(own.environment) // 4)
     _check_duplicate(state, scope, tag, full, conditions)
-    state.nodes.append(_started(scope, tag, full, namespace, package, type_, options, own))
+    started = _started(scope, tag, full, namespace, package, type_, options, own)
+    state.nodes.append(started if full.known else replace(started, own=tuple(mine)))
     ros1.started(state, scope, state.nodes[-1])
 
 

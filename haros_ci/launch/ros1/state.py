@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from functools import partial
 
@@ -51,6 +52,8 @@ class RoslaunchState:
     included: set[str] = field(default_factory=set)
     facts: Recorder = field(default_factory=Recorder)
     documents: dict[str, YamlValue | None] = field(default_factory=dict)
+    #: While a node's tag is evaluated: where parameters are set then, and what it has set so far.
+    tag: tuple[dict[str, list[Parameter]], list[Parameter]] | None = None
     #: Whether an include could not be followed.
     is_partial: bool = False
     budget: int = BUDGET
@@ -193,11 +196,24 @@ class RoslaunchState:
         made = replace(parameter, name=Text(full).shown, unknowns=(*unknowns, *parameter.unknowns))
         if self.presence:
             made = replace(made, presence=together(parameter.presence, self.presence) or self.presence)
+        if self.tag is not None and self.tag[0] is self.parameters:
+            made = replace(made, is_of_node=True)
+            self.tag[1].append(made)
         before = self.parameters.setdefault(made.name, [])
         if name.known:
             conditions = set(made.conditions)
             before[-_COMPARED:] = [old for old in before[-_COMPARED:] if not conditions <= set(old.conditions)]
         before.append(made)
+
+    @contextmanager
+    def in_tag(self) -> Iterator[list[Parameter]]:
+        """What is set inside is a node's own, and is in the list afterwards; not what is set with other args."""
+        before, own = self.tag, list[Parameter]()
+        self.tag = self.parameters, own
+        try:
+            yield own
+        finally:
+            self.tag = before
 
     def unsettle(self, name: Text, why: str, place: Location) -> None:
         """What is at *name* and below it may be set anew, nobody knows to what."""
@@ -205,11 +221,18 @@ class RoslaunchState:
         self.spend(len(self.parameters) // 10)
         reason = f"it may be set anew: {why}"
         unknowns = unset("value", reason, place) + unset("type", reason, place)
+
+        def unset_anew(old: Parameter) -> Parameter:
+            return replace(old, type=None, value=None, unknowns=(*_names(old.unknowns), *unknowns))
+
+        def is_meant(other: str) -> bool:
+            return other == full or other.startswith(f"{full}/")
+
         for other, those in self.parameters.items():
-            if other == full or other.startswith(f"{full}/"):
-                those[:] = [
-                    replace(old, type=None, value=None, unknowns=(*_names(old.unknowns), *unknowns)) for old in those
-                ]
+            if is_meant(other):
+                those[:] = map(unset_anew, those)
+        if self.tag is not None and self.tag[0] is self.parameters:
+            self.tag[1][:] = [unset_anew(old) if is_meant(old.name) else old for old in self.tag[1]]
 
     def _missing(self, scope: LoaderScope, name: str) -> None:
         how = "set it in the configuration, or give it a default"

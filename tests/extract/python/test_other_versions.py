@@ -52,6 +52,13 @@ from haros_ci.extract.python.other_versions import repair
         ("0777L + 10L + 0xFFl", "0o777 + 10 + 0xFF"),
         ("ur'a' + UR'b'", "r'a' + R'b'"),
         ("if a:\n\tb\n        c", "if a:\n        b\n        c"),
+        ("def f(a, (b, c)):\n  d", "def f(a, _9):\n  (b, c) = _9; d"),
+        ("def f((b,), (c, (d, e))=g()): return b", "def f(_6, _12=g()): (b,) = _6; (c, (d, e)) = _12; return b"),
+        ("def f((a,\n b)):\n  'c'\n  d", "def f(_6):\n  (a, b) = _6; 'c'\n  d"),
+        ("def f(a, (b, c)):\n  if b: d", "def f(a, _9, b=_unpacked_(), c=_unpacked_()):\n  if b: d"),
+        ("def f(a, (b, c), **d):\n  if b: d", "def f(a, (b, c), **d):\n  if b: d"),
+        ("def f(a, b=(1, 2), c=g((1, 2))): d", "def f(a, b=(1, 2), c=g((1, 2))): d"),
+        ("def f(a): return (a, (1, 2))", "def f(a): return (a, (1, 2))"),
     ],
 )
 def test_repaired(text: str, repaired: str) -> None:
