@@ -193,8 +193,7 @@ def _global_name(walk: Walk, frame: Frame, name: str) -> Value | object_macros.O
     if found is not None:
         return ClassValue(*found)
     if resolved.name != name:  # what a using-declaration or an alias of a namespace stands for
-        functions = index.near(index.functions, resolved.name, frame.source, walk.files)
-        if functions:
+        if functions := index.near(index.functions, resolved.name, frame.source, walk.files):
             return Callable(*methods.with_body(walk, functions))
     if "::" in name:
         method = _of_its_base(walk, frame, name)

@@ -16,8 +16,8 @@ from haros_ci.values.abstract import Choice, Library, Object, Opaque, Sequence, 
 if TYPE_CHECKING:
     from haros_ci.follow.call_arguments import PassedArgument
 
-#: Classes of libraries whose construction does something.
-MADE = frozenset((*api_rows.HANDLES, "std::thread", "std::jthread", "boost::thread"))
+#: Classes of libraries whose construction does something, beside node handles.
+THREADS = frozenset(("std::thread", "std::jthread", "boost::thread"))
 #: Methods that construct their element, or that convert what they are given to it.
 ADDING = frozenset(("push_back", "emplace_back", "push_front", "emplace_front", "emplace", "insert", "push"))
 AT_A_PLACE = frozenset(("emplace", "insert"))
@@ -69,7 +69,8 @@ def _parts(value: Value) -> tuple[PassedArgument, ...] | None:
 
 def _is_made(walk: Walk, frame: Frame, kind: Type) -> bool:
     """Whether elements of that type are objects whose construction may make something."""
-    return copies.is_by_value(kind) and (kind.name in MADE or walk.class_of(kind.name, frame.source) is not None)
+    is_of_library = kind.name in THREADS or kind.name in api_rows.HANDLES
+    return copies.is_by_value(kind) and (is_of_library or walk.class_of(kind.name, frame.source) is not None)
 
 
 def _is_one(walk: Walk, kind: Type, value: Value) -> bool:
