@@ -54,7 +54,7 @@ def register(
     if not isinstance(value, Callable) or walk.is_raised or walk.setting:
         return
     function = value.function
-    if value.this is None and function.owner and value.frame is None:
+    if value.this is None and function.owner and value.frame is None and not (function.is_static and value.bound):
         for argument in others:
             inner = argument.value.cell.value if isinstance(argument.value, Pointer) else argument.value
             if isinstance(inner, Object) and inner.definition is not None:

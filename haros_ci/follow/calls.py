@@ -27,6 +27,7 @@ from haros_ci.follow import (
     partials,
     qt,
     specialisations,
+    static_methods,
     static_types,
     twins,
 )
@@ -98,7 +99,8 @@ def call(walk: Walk, frame: Frame, expression: syntax.Call) -> Value:
             return walk.either_way(ways, "it is called on one of several objects", settle)
         return method_call(walk, frame, receiver, receiver_cell, name, args, targs, location)
     callee, targs = static_types.member_called(walk, frame, callee, targs)
-    function = expressions.evaluate(walk, frame, callee)
+    of_class, targs = static_methods.of_class(targs)
+    function = static_methods.bound(walk, frame, callee, expressions.evaluate(walk, frame, callee), of_class)
     if isinstance(function, Library) and function.name in qt.MACROS:
         return qt.signature(walk, frame, function.name, written)
     if isinstance(function, Pointer):

@@ -184,7 +184,7 @@ def _lambda(walk: Walk, frame: Frame, expression: syntax.Lambda) -> Value:
         around.scopes = [*around.scopes, {variable.name: Cell(held, kind)}]
     if function.captures:
         around.scopes = [*around.scopes, copies.by_value(walk, frame, function.captures)]
-    made = Callable(frame.source, function, here(frame), frame=around)
+    made = Callable(frame.source, function, here(frame), frame=around, templates=frame.templates)
     return uncalled.keep(walk, made) if frame.source.separator == "::" else made
 
 

@@ -18,6 +18,7 @@ from haros_ci.follow import (
     counters,
     disturbances,
     inert,
+    initialised,
     lookup,
     uncalled,
 )
@@ -89,6 +90,8 @@ def follow(walk: Walk, entry: Entry) -> bool:
 
 def _start(walk: Walk, frame: Frame, entry: Entry) -> None:
     walk.entry = entry.function
+    if entry.source.separator == "::":
+        initialised.before_main(walk)
     if entry.begin is not None:
         entry.begin(walk, frame)
     elif entry.definition is not None:

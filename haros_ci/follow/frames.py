@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Set
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
@@ -69,6 +69,16 @@ class Frame(Closure):
     def declare(self, name: str, cell: Cell) -> Cell:
         self.scopes[-1][name] = cell
         return cell
+
+
+def looked_up_from(inner: Set[str], frame: Frame) -> str:
+    """The scope from which names are looked up in *frame*: the function itself if it is among *inner*, which define classes ([class.local])."""
+    around: Frame | None = frame if inner else None
+    while around is not None and around.function is not None:
+        if around.function.name in inner:
+            return around.function.name
+        around = around.outer
+    return frame.scope
 
 
 @dataclass(slots=True)

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 
 from haros_ci import syntax
 from haros_ci.follow import construct, conversions, members, methods, object_macros, overloads, specialisations
-from haros_ci.follow.frames import NEXT, Frame
+from haros_ci.follow.frames import NEXT, Frame, looked_up_from
 from haros_ci.follow.libraries import cpp as library_cpp
 from haros_ci.follow.libraries import numbers as library_numbers
 from haros_ci.follow.libraries import optionals, python_modules, python_numbers
@@ -75,7 +75,8 @@ def _variable(walk: Walk, frame: Frame, name: str) -> tuple[Source, str, syntax.
                     if specialisations.are_several(walk, frame, head):
                         return frame.source, candidate, syntax.Equals(syntax.Unknown(EITHER)), static[2]
                     return static[0], candidate, static[1].init, static[2]
-    return None
+    meant = walk.type_in(syntax.Type(name), frame).name if "::" not in name else name
+    return _variable(walk, frame, meant) if meant != name and meant in walk.index.variables else None
 
 
 def global_cell(walk: Walk, source: Source, name: str, init: syntax.Init | None, kind: Type) -> Cell:
@@ -96,17 +97,18 @@ def global_cell(walk: Walk, source: Source, name: str, init: syntax.Init | None,
                     cell.value = construct.initial(walk, there, resolved, variable.init, Location(where.path))
                     break
             else:
-                if (
-                    _is_container(resolved) and name in walk.index.variables
-                ):  # ``std::vector<T> x;`` begins without an element
+                if name in walk.index.variables and _is_made(walk, source, resolved):
                     cell.value = construct.initial(walk, frame, resolved, None, Location(source.path))
         walk.state.settle(mark, begun)
         walk.lasting.add(cell)
     return cell
 
 
-def _is_container(kind: Type) -> bool:
-    return (kind.name in SEQUENCES or kind.name in MAPS) and not {"*", "&"} & set(kind.marks)
+def _is_made(walk: Walk, source: Source, kind: Type) -> bool:
+    """Whether ``T x;`` makes something: an empty container, or an object of a class of the workspace."""
+    if {"*", "&"} & set(kind.marks):
+        return False
+    return kind.name in SEQUENCES or kind.name in MAPS or walk.class_of(kind.name, source) is not None
 
 
 def name(walk: Walk, frame: Frame, expression: syntax.Name) -> Value:
@@ -118,7 +120,13 @@ def no_variable(walk: Walk, frame: Frame, name: str) -> Value:
     """What a name that is no variable means: a function, class, module, macro, or a library's name."""
     if frame.source.program.language == "python":
         return python_name(walk, frame, name)
-    key = ("name", name, frame.scope, frame.source.path, walk.numbered(frame.templates) if frame.templates else 0)
+    key = (
+        "name",
+        name,
+        looked_up_from(walk.index.inner, frame),
+        frame.source.path,
+        walk.numbered(frame.templates) if frame.templates else 0,
+    )
     if key not in walk.found:
         walk.found[key] = _global_name(walk, frame, name)
     value: Value | object_macros.ObjectMacro = walk.found[key]
@@ -184,6 +192,9 @@ def _global_name(walk: Walk, frame: Frame, name: str) -> Value | object_macros.O
     found = walk.class_of(resolved.name, frame.source)
     if found is not None:
         return ClassValue(*found)
+    if resolved.name != name:  # what a using-declaration or an alias of a namespace stands for
+        if functions := index.near(index.functions, resolved.name, frame.source, walk.files):
+            return Callable(*methods.with_body(walk, functions))
     if "::" in name:
         method = _of_its_base(walk, frame, name)
         if method is None:

@@ -7,6 +7,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from haros_ci.follow import call_arguments
+from haros_ci.follow.libraries import bind
 from haros_ci.values.abstract import NONE, Callable, Cell, Known, Mapped, Object, Opaque, Sequence, Value
 
 if TYPE_CHECKING:
@@ -61,6 +62,8 @@ _EACH = frozenset(f"multiprocessing.pool.Pool.{name}" for name in ("map", "map_a
 _ITEMS = 20
 #: Where a subscriber takes what its callback is given after the message (rospy/topics.py).
 _AFTER = {"rospy.Subscriber": 3}
+#: Threads of C++ call a function with what stands behind it (en.cppreference.com/w/cpp/thread/thread/thread).
+BEHIND = frozenset(("std::thread", "std::jthread", "boost::thread", "std::async", "pthread_create"))
 
 
 def given(call: str, function: Value, args: tuple[PassedArgument, ...]) -> tuple[Value, ...]:
@@ -69,6 +72,8 @@ def given(call: str, function: Value, args: tuple[PassedArgument, ...]) -> tuple
     if places is not None:
         first, second = _argument(args, places[1], places[0]), _argument(args, places[3], places[2])
         return (_with(function, (*_positional(first), *_keywords(second))),)
+    if call in BEHIND and isinstance(function, Callable):
+        return (_with_rest(function, args),)
     if call == _SUBMIT:
         return (_with(function, args[1:]),)
     if call in _EACH or call == _ZIPPED:
@@ -78,6 +83,17 @@ def given(call: str, function: Value, args: tuple[PassedArgument, ...]) -> tuple
     if after is None or after == NONE or not isinstance(function, Callable):
         return (function,)
     return (replace(function, bound=(*function.bound, None, after)),)
+
+
+def _with_rest(function: Callable, args: tuple[PassedArgument, ...]) -> Value:
+    """*function*, one of *args*, with those behind it, of which the first may be the object of a method."""
+    place = next((number for number, argument in enumerate(args) if argument.value is function), len(args))
+    rest = args[place + 1 :]
+    if not rest or function.bound:
+        return function
+    if function.function.is_static or not function.function.owner or function.frame is not None:
+        return partial(function, rest)
+    return bind.bind((call_arguments.PassedArgument(function), *rest))
 
 
 def _for_each(function: Value, iterables: list[Value]) -> tuple[Value, ...]:

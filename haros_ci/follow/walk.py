@@ -12,7 +12,7 @@ from typing import Any
 from haros_ci import syntax
 from haros_ci.follow.command import Commands
 from haros_ci.follow.context import Context, Exact
-from haros_ci.follow.frames import Frame, Loop
+from haros_ci.follow.frames import Frame, Loop, looked_up_from
 from haros_ci.follow.made import Key, MadeEntity, Root
 from haros_ci.follow.ros.own_name import Naming
 from haros_ci.follow.thrown import Trial
@@ -310,7 +310,7 @@ class Walk:
         """*kind* as written in *frame*, resolved."""
         if not kind.name:
             return NO_TYPE
-        return self.resolved(kind, frame.scope, frame.source, frame.templates)
+        return self.resolved(kind, looked_up_from(self.index.inner, frame), frame.source, frame.templates)
 
     def resolved(self, kind: Type, scope: str, source: Source, templates: Mapping[str, syntax.Argument]) -> Type:
         """*kind* as written in a scope of a file, resolved; each once."""

@@ -21,7 +21,11 @@ def build_index(sources: Iterable[Source]) -> Index:  # noqa: C901 - one loop fo
         if is_cpp:
             index.sources[source.path] = source
             index.file_names[posixpath.basename(source.path)].append(source.path)
-            index.local[source.path] = _local(program)
+            functions = {function.name for function in program.functions if function.name and function.kind != "lambda"}
+            index.local[source.path] = _local(program, functions)
+            spaces = (alias.name for alias in program.aliases if alias.type.marks == "namespace")
+            inside = (*(item.name for item in program.classes), *spaces)
+            index.inner |= functions.intersection(name.rpartition("::")[0] for name in inside)
         else:
             index.by_place[source.path.removesuffix(".py").removesuffix("/__init__")] = source
         for definition in program.classes:
@@ -122,8 +126,7 @@ def _start(init: syntax.Init | None) -> syntax.Expression:
     return init.arguments[0] if init is not None and len(init.arguments) == 1 else syntax.Unknown(EITHER)
 
 
-def _local(program: Program) -> dict[str, Alias | None]:
-    functions = {function.name for function in program.functions if function.name}
+def _local(program: Program, functions: set[str]) -> dict[str, Alias | None]:
     found: dict[str, Alias | None] = {}
     for alias in program.aliases:
         around, colons, name = alias.name.rpartition("::")

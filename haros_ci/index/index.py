@@ -64,6 +64,8 @@ class Index:
     included: dict[str, dict[str, str]] = field(default_factory=dict)
     #: Aliases inside functions, by file and by their own name; None where two functions have one of that name.
     local: dict[str, dict[str, Alias | None]] = field(default_factory=dict)
+    #: The names of the C++ functions that define classes, or aliases of namespaces.
+    inner: set[str] = field(default_factory=set)
     #: All C++ files, those of each file name, and the files that each includes: by itself, and with what these include.
     sources: dict[str, Source] = field(default_factory=dict)
     file_names: dict[str, list[str]] = field(default_factory=lambda: defaultdict(list))

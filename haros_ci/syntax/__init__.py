@@ -4,6 +4,7 @@
 from haros_ci.syntax.expressions import (
     AUTO,
     NOTHING,
+    OF_CLASS,
     Address,
     Argument,
     Assignment,
@@ -73,6 +74,7 @@ from haros_ci.syntax.statements import (
 __all__ = [
     "AUTO",
     "NOTHING",
+    "OF_CLASS",
     "Address",
     "Alias",
     "Argument",

@@ -267,6 +267,8 @@ Argument: TypeAlias = Type | Expression
 #: A type that is inferred, and one that nobody says.
 AUTO = Type("auto")
 NOTHING = Type("")
+#: The name of a type that has the template arguments of the class before a function's name among those of a call.
+OF_CLASS = "[class]"
 
 
 def name_of(expression: Expression) -> str:

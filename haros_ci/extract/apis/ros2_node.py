@@ -145,8 +145,6 @@ ROWS: tuple[Mapping[str, object], ...] = (
        "bases": ["rclcpp::Node"]} for name in INTERFACES),
     {"class": "rclcpp::node_interfaces::NodeInterfaces", "bases": ["rclcpp::Node"]},
     {"call": "rclcpp::node_interfaces::NodeInterfaces", "args": [1], "fills": {"node": "{0}"}},
-    *({"call": f"std::enable_shared_from_this::{name}", "args": [0], "transparent": "{this}"}
-      for name in ("shared_from_this", "weak_from_this")),
     {"call": "rclcpp::Node::get_node_options", "args": [0], "returns": "{node.options}"},
     {"call": "rclcpp::Node::get_logger", "args": [0], "returns": "rclcpp::Logger"},
     {"call": "rclcpp::Node::get_clock", "args": [0], "returns": "rclcpp::Clock"},

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Threads (C++): what they run is called later, beside the callbacks.
 
-en.cppreference.com/w/cpp/thread, boost.org/doc/libs/release/doc/html/thread.
+en.cppreference.com/w/cpp/thread, boost.org/doc/libs/release/doc/html/thread, man7.org/linux/man-pages/man3/pthread_create.3.html.
 """
 
 from __future__ import annotations
@@ -12,4 +12,5 @@ ROWS: tuple[dict[str, object], ...] = (
     {"call": "boost::thread", "args": [1, 2, 3, 4, 5, 6, 7, 8, 9], "calls": ["0"]},
     {"call": "std::async", "args": [1, 2, 3, 4, 5, 6, 7, 8, 9], "calls": ["0", "1"]},
     {"call": "boost::thread_group::create_thread", "args": [1], "calls": ["0"]},
+    {"call": "pthread_create", "args": [4], "calls": ["2"]},
 )

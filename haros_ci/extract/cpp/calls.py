@@ -6,7 +6,7 @@ from __future__ import annotations
 from tree_sitter import Node
 
 from haros_ci import syntax
-from haros_ci.extract.cpp import expressions, types
+from haros_ci.extract.cpp import expansion, expressions, types
 from haros_ci.extract.cpp.grammar import field, kinds
 from haros_ci.extract.cpp.unit import Unit
 
@@ -15,6 +15,8 @@ _VALUE = field("value")
 _TYPE = field("type")
 _DECLARATOR = field("declarator")
 _CASTS = frozenset(("static_cast", "dynamic_cast", "const_cast", "reinterpret_cast"))
+#: Namespaces whose class templates are known by their methods' names.
+_SPACES = ("std::", "boost::", "ros::", "rclcpp::")
 _IDENTIFIER = kinds("identifier")
 _QUALIFIED = kinds("qualified_identifier")
 _TEMPLATE_FUNCTION = kinds("template_function template_type")
@@ -33,12 +35,18 @@ def call(unit: Unit, node: Node, depth: int) -> syntax.Expression:
     chosen: tuple[syntax.Argument, ...] = ()
     callee: syntax.Expression
     if kind in _IDENTIFIER:
+        expanded = expansion.expression(unit, node, depth) if unit.found.callable_macros else None
+        if expanded is not None:
+            return expanded
         callee = syntax.Name(unit.cut(function))
     elif kind in _FIELD_EXPRESSION:
         callee, chosen = _member(unit, function, depth + 1)
     elif kind in _QUALIFIED or kind in _TEMPLATE_FUNCTION:
         name, chosen = types.path(unit, function, depth)
         callee = syntax.Name(name)
+        if not chosen and kind in _QUALIFIED and not name.startswith(_SPACES):
+            around = types.path(unit, function, depth, True)[1]
+            chosen = (syntax.Type(syntax.OF_CLASS, around),) if around else ()
         if name in _CASTS and len(chosen) == 1 and isinstance(chosen[0], syntax.Type):
             values = expressions.arguments(unit, argument, depth)
             return syntax.Cast(chosen[0], values[0] if len(values) == 1 else unit.opaque(argument))

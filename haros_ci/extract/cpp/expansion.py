@@ -18,6 +18,7 @@ _MOST = 500
 _LONGEST = 8000
 _HEAD = "void f(){"
 _IDENTIFIER = kinds("identifier")
+_CALL = kinds("call_expression")
 _FUNCTION = field("function")
 _ARGUMENTS = field("arguments")
 _BODY = field("body")
@@ -43,24 +44,42 @@ def _block(text: str) -> Node | None:
 
 def expand(unit: Unit, call: Node, depth: int, out: list[syntax.Statement]) -> bool:
     """Lower a use of a macro of this file as its body, all of it at the use's position; False if it is not simple."""
-    function, argument = call.child_by_field_id(_FUNCTION), call.child_by_field_id(_ARGUMENTS)
-    if function is None or argument is None or function.kind_id not in _IDENTIFIER:
-        return False
-    macro = unit.found.callable_macros.get(unit.cut(function))
-    if macro is None or unit.level >= _DEEPEST or unit.found.expansions >= _MOST:
-        return False
-    unit.found.expansions += 1
-    parameters, body = macro
-    texts = [unit.text[child.start_byte : child.end_byte] for child in argument.children if child.is_named]
-    text = _substituted(body.encode().decode("latin-1"), parameters, texts)
-    if text is None or len(text) > _LONGEST:
-        return False
-    node = _block(text + ";")
+    text = _text(unit, call)
+    node = _block(text + ";") if text is not None else None
     if node is None:
         return False
     inner = replace(unit, text=f"{_HEAD}{text};}}", fixed=unit.position(call), level=unit.level + 1, shift=0)
     out.extend(statements.block(inner, node.children, depth))
     return True
+
+
+def expression(unit: Unit, call: Node, depth: int) -> syntax.Expression | None:
+    """The same of a use within an expression: what its body is if that is an expression; None if it is not simple."""
+    text = _text(unit, call)
+    node = _block(f"x({text});") if text else None
+    child = node.children[1] if node is not None and node.child_count == 3 else None
+    inside = child.children[0] if child is not None and child.child_count else None
+    argument = inside.child_by_field_id(_ARGUMENTS) if inside is not None and inside.kind_id in _CALL else None
+    if argument is None:
+        return None
+    inner = replace(unit, text=f"{_HEAD}x({text});}}", fixed=unit.position(call), level=unit.level + 1, shift=0)
+    found = expressions.arguments(inner, argument, depth)
+    return found[0] if len(found) == 1 else None
+
+
+def _text(unit: Unit, call: Node) -> str | None:
+    """The body of the macro of this file that *call* uses, with what it is given; None if it is not simple."""
+    function, argument = call.child_by_field_id(_FUNCTION), call.child_by_field_id(_ARGUMENTS)
+    if function is None or argument is None or function.kind_id not in _IDENTIFIER:
+        return None
+    macro = unit.found.callable_macros.get(unit.cut(function))
+    if macro is None or unit.level >= _DEEPEST or unit.found.expansions >= _MOST:
+        return None
+    unit.found.expansions += 1
+    parameters, body = macro
+    texts = [unit.text[child.start_byte : child.end_byte] for child in argument.children if child.is_named]
+    text = _substituted(body.encode().decode("latin-1"), parameters, texts)
+    return None if text is None or len(text) > _LONGEST else text
 
 
 def _substituted(body: str, parameters: tuple[str, ...], texts: list[str]) -> str | None:

@@ -8,7 +8,7 @@ from collections.abc import Callable
 from tree_sitter import Node
 
 from haros_ci import syntax
-from haros_ci.extract.cpp import calls, functions, literals, splits, types
+from haros_ci.extract.cpp import calls, functions, literals, method_pointers, splits, types
 from haros_ci.extract.cpp.grammar import ERROR, field, kinds, table
 from haros_ci.extract.cpp.unit import DEEPEST, TOO_DEEP, Unit
 
@@ -185,7 +185,8 @@ def _parentheses(unit: Unit, node: Node, depth: int) -> syntax.Expression:
         if child.kind_id in _BLOCK:
             line, column = unit.position(child)
             return syntax.Call(functions.block_as_lambda(unit, child, depth), (), (), line, column)
-        return expression(unit, child, depth)
+        found = expression(unit, child, depth)
+        return method_pointers.regrouped(unit, child, found) if child.kind_id in method_pointers.POSTFIX else found
     return unit.opaque(node)
 
 

@@ -20,6 +20,9 @@ _IDENTIFIER = kinds("identifier")
 _ARGUMENT = field("argument")
 _FUNCTION, _ARGUMENTS, _LEFT, _RIGHT = field("function"), field("arguments"), field("left"), field("right")
 _NAME, _DECLARATOR = field("name"), field("declarator")
+POSTFIX = kinds("subscript_expression call_expression field_expression")
+_MEMBER = kinds("field_expression")
+_POINTERS = (".*", "->*")
 #: Scopes before ``*`` that are gone through.
 DEEPEST = 8
 KIND = syntax.Type("()", (syntax.Type("void"),), "*")
@@ -40,6 +43,33 @@ def variable(unit: Unit, node: Node, depth: int) -> syntax.Variable | None:
     value = node.child_by_field_id(_RIGHT) if is_set else None
     init = None if value is None else syntax.Equals(expressions.expression(unit, value, depth))
     return syntax.Variable(unit.cut(pointed), KIND, init, *unit.position(pointed))
+
+
+def regrouped(unit: Unit, node: Node, found: syntax.Expression) -> syntax.Expression:
+    """*found*, what the *node* in parentheses is, with ``a->*m[0]`` as ``a->*(m[0])``: the parser takes it for ``(a->*m)[0]`` ([expr.mptr.oper])."""
+    for _ in range(DEEPEST):
+        operator = node.children[1] if node.child_count > 1 else None
+        if node.kind_id in _MEMBER and operator is not None and unit.cut(operator) in _POINTERS:
+            break
+        if node.kind_id not in POSTFIX:
+            return found
+        node = node.children[0]
+    left, right = _apart(found)
+    return found if left is None else syntax.Operation(".*", (left, right))
+
+
+def _apart(found: syntax.Expression) -> tuple[syntax.Expression | None, syntax.Expression]:
+    """The object of ``.*`` inside of *found*, and what is left of *found* with the pointer in the place of that."""
+    if type(found) is syntax.Operation and found.operator in _POINTERS:
+        return found.operands[0], found.operands[1]
+    if type(found) is syntax.Subscript or type(found) is syntax.Member:
+        left, right = _apart(found.object)
+        return left, syntax.replace(found, object=right)
+    if type(found) is syntax.Call:
+        left, right = _apart(found.callee)
+        is_grouped = right == syntax.Unknown("") and len(found.arguments) == 1
+        return left, found.arguments[0] if is_grouped else syntax.replace(found, callee=right)
+    return None, found
 
 
 def _pointed(node: Node | None, kind: Node | None) -> Node | None:

@@ -90,6 +90,9 @@ def _declaration(unit: Unit, node: Node, depth: int, out: Statements) -> None:
         if variable[0].is_parenthesized and variable[1] is None:
             out.append(syntax.Do(unit.opaque(node)))
             continue
+        if (both := _both(unit, variable)) is not None:
+            out.append(syntax.Do(both))
+            continue
         start = len(out)
         _variable(unit, variable, depth, out)
         if is_static:
@@ -97,6 +100,20 @@ def _declaration(unit: Unit, node: Node, depth: int, out: Statements) -> None:
                 syntax.Static(statement) if isinstance(statement, syntax.Variable) else statement
                 for statement in out[start:]
             ]
+
+
+def _both(unit: Unit, variable: declarations.Variable) -> syntax.Expression | None:
+    """``ready && go(x);``, which the parser takes for a reference ``go`` to a ``ready``; None for all else."""
+    declared, init = variable
+    kind = declared.type
+    if kind.marks != "&&" or kind.arguments or not kind.name.isidentifier() or kind.name in ("auto", "bool", "int"):
+        return None
+    if not isinstance(init, (syntax.Parentheses, str)):
+        return None
+    line, column = unit.position(declared.node)
+    arguments = () if isinstance(init, str) else init.arguments
+    call = syntax.Call(syntax.Name(declared.name), arguments, (), line, column)
+    return syntax.Operation("&&", (syntax.Name(kind.name), call))
 
 
 def _variable(unit: Unit, variable: declarations.Variable, depth: int, out: Statements) -> None:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from haros_ci import syntax
 from haros_ci.follow import alternatives, assignments, construct, conversions, copies, indexing
 from haros_ci.follow.frames import Frame, of_element
-from haros_ci.follow.libraries import tuples
+from haros_ci.follow.libraries import elements, tuples
 from haros_ci.follow.walk import Walk
 from haros_ci.index.types import is_smart_pointer
 from haros_ci.model.location import Location
@@ -97,10 +97,11 @@ def sequence(walk: Walk, frame: Frame, receiver: Sequence, name: str, args: tupl
     known = isinstance(cells, tuple)
     held = cells if isinstance(cells, tuple) else ()
     inner = receiver.type.of(0) if receiver.type is not None else None
+    args = elements.constructed(walk, frame, inner, name, args)
     if name in ADDING and (added := _added(walk, receiver, name, args, inner)) is not None:
         walk.state.write(receiver.content, added)
         return NONE
-    if name in ("push_back", "emplace_back", "insert", "push_front", "emplace"):
+    if name in ("push_back", "emplace_back", "insert", "push_front", "emplace_front", "emplace"):
         if known and name in ("push_back", "emplace_back") and len(args) == 1 and len(held) < LIST_LIMIT:
             value = conversions.converted(copies.copied(walk, args[0].value, inner), inner)
             walk.state.write(receiver.content, (*held, Cell(value, inner)))
@@ -185,8 +186,12 @@ def _entry(walk: Walk, args: tuple[PassedArgument, ...]) -> tuple[object, Value]
     return None if is_braces or is_any else (values[0].value, values[1])
 
 
-def mapped(walk: Walk, frame: Frame, receiver: Mapped, name: str, args: tuple[PassedArgument, ...]) -> Value | None:
+def mapped(
+    walk: Walk, frame: Frame, receiver: Mapped, name: str, args: tuple[PassedArgument, ...], kind: Type | None = None
+) -> Value | None:
+    """A method of a map, of the type *kind* where that is known; None if there is no model of it."""
     pairs = receiver.content.value
+    args = elements.mapped(walk, frame, kind, name, args)
     if name in ("size", "empty", "count") and isinstance(pairs, dict):
         if name == "count":
             key = args[0].value if args else NONE

@@ -66,7 +66,7 @@ BINDERS = frozenset(("boost::bind", "std::bind", "bind"))
 MAKERS = frozenset(
     f"{space}::{name}"
     for space in ("boost", "std")
-    for name in ("make_shared", "make_unique", "make_optional", "shared_ptr", "unique_ptr")
+    for name in ("make_shared", "make_unique", "make_optional", "shared_ptr", "unique_ptr", "weak_ptr")
 )
 TRANSPARENT = frozenset(
     "std::move std::forward std::ref std::cref boost::ref boost::cref std::string string boost::shared_ptr "
@@ -190,7 +190,7 @@ def _put_together(
         return algorithms.for_each(walk, frame, args)
     if name == "std::get" and targs:
         return tuples.got(targs, args)
-    if name == "std::make_tuple":
+    if name in ("std::make_tuple", "std::forward_as_tuple"):
         return tuples.made(args)
     if name in formats.FMT and args:
         return formats.fmt(walk, frame, args)
@@ -270,7 +270,7 @@ def method(  # noqa: C901 - one branch for each kind of receiver
     if isinstance(receiver, Sequence):
         return library_containers.sequence(walk, frame, receiver, name, args)
     if isinstance(receiver, Mapped):
-        return library_containers.mapped(walk, frame, receiver, name, args)
+        return library_containers.mapped(walk, frame, receiver, name, args, cell.type if cell is not None else None)
     return None
 
 

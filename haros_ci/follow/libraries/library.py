@@ -22,9 +22,14 @@ if TYPE_CHECKING:
 
 POINTER_METHODS = frozenset(("reset", "get", "release", "use_count", "unique", "swap"))
 
+#: What a weak pointer has besides.
+WEAK = frozenset(("lock", "expired"))
+
 
 def pointer_methods(kind: Type | None) -> frozenset[str]:
     """The methods of a smart pointer or optional of that type itself."""
+    if kind is not None and kind.name.endswith("weak_ptr"):
+        return POINTER_METHODS | WEAK
     return POINTER_METHODS | optionals.METHODS if optionals.is_one(kind) else POINTER_METHODS
 
 
@@ -43,16 +48,18 @@ def pointer_method(
             return containers.swap(walk, cell, other)
         walk.state.forget(cell, Opaque("it is swapped with what is not known", None, cell.type))
         return NONE
-    if name in ("get", "release"):
+    if name in ("get", "release", "lock"):
         return cell.value
+    if name == "expired":
+        return walk.opaque("whether an object is still there", frame, location.line, Type("bool"))
     return Opaque("the state of a smart pointer")
 
 
-def _pointed_to(walk: Walk, receiver: Object) -> Value | None:
-    """What ``get()`` of ``auto`` gives that a smart pointer was made for: the object itself, if it has no such method."""
+def _pointed_to(walk: Walk, receiver: Object, name: str) -> Value | None:
+    """What ``get()`` or ``lock()`` of ``auto`` gives that a smart pointer was made for: the object itself, if it has no such method."""
     if receiver.definition is None and receiver.node is None:
         return None
-    return receiver if methods.method_of(walk, receiver, "get") is None and "get" not in receiver.fields else None
+    return receiver if methods.method_of(walk, receiver, name) is None and name not in receiver.fields else None
 
 
 def method(
@@ -70,8 +77,8 @@ def method(
         found = library_python.method(walk, frame, receiver, name, args)
     else:
         found = library_cpp.method(walk, frame, receiver, cell, name, args, location, targs)
-        if found is None and name == "get" and not args and isinstance(receiver, Object):
-            found = _pointed_to(walk, receiver)
+        if found is None and name in ("get", "lock") and not args and isinstance(receiver, Object):
+            found = _pointed_to(walk, receiver, name)
         if found is None and name in optionals.READERS and isinstance(receiver, (Known, Text)):
             found = optionals.read(walk, frame, receiver, name, args, location)  # texts and numbers have none of them
     if found is not None or not isinstance(receiver, (Known, Text, Sequence, Mapped)) or name in harmless.READERS:

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from haros_ci import syntax
-from haros_ci.follow import call_arguments, callbacks, copies, methods
+from haros_ci.follow import call_arguments, callbacks, copies, methods, partials
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import library
 from haros_ci.follow.ros import api_rows, outside_nodes, ros2_nodes
@@ -67,7 +67,7 @@ def library_object(
     outside_nodes.given(walk, frame, kind, this, location)
     if kind.name not in walk.rows:
         ros2_nodes.handed(walk, kind.name, (argument.value for argument in args))
-    for argument in args:
+    for argument in args if kind.name not in partials.BEHIND else ():
         callbacks.register(walk, argument.value, args)
     return this
 

@@ -96,7 +96,7 @@ A, B, C = ("name", "a"), ("name", "b"), ("name", "c")
         ("a<3>()", ("call", A, (), (("num", 3),), 2, 5)),
         ("a<b::c, true>()", ("call", A, (), (T("b::c"), ("bool", True)), 2, 5)),
         ("::a::b(c)", ("call", ("name", "::a::b"), (C,), (), 2, 5)),
-        ("a<b>::c()", ("call", ("name", "a::c"), (), (), 2, 5)),
+        ("a<b>::c()", ("call", ("name", "a::c"), (), (T("[class]", T("b")),), 2, 5)),
         ("std::make_shared<A>(a)", ("call", ("name", "std::make_shared"), (A,), (T("A"),), 2, 5)),
         ("a.template b<C>(c)", ("call", ("field", A, "b"), (C,), (T("C"),), 2, 5)),
         ("A::template b<C>(c)", ("call", ("name", "A::b"), (C,), (T("C"),), 2, 5)),

@@ -34,7 +34,7 @@ def test_pointers_to_members_by_their_own_names() -> None:
 def test_limits_of_numbers_keep_their_type() -> None:
     limit = ("call", ("name", "std::numeric_limits::max"), (), (T("double"),), 2, 5)
     assert value("std::numeric_limits<double>::max()") == limit
-    assert value("K<double>::max()") == ("call", ("name", "K::max"), (), (), 2, 5)
+    assert value("K<double>::max()") == ("call", ("name", "K::max"), (), (T("[class]", T("double")),), 2, 5)
     assert value("K<double>::max<int>()") == ("call", ("name", "K::max"), (), (T("int"),), 2, 5)
 
 
