@@ -15,12 +15,11 @@ from haros_ci.linters.includes import closure
 from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Store, Workspace
 from haros_ci.own_sources import OF_LINTERS, digest
+from haros_ci.results.code_alone import without_comments
 
-#: Macros that are kept of one file.
-_MOST = 2_000
 _GAP = r"(?:[ \t\f\v]|/\*(?:[^*\n]|\*(?!/)){0,200}\*/)*"
 _DIRECTIVE = re.compile(
-    rf"^{_GAP}(?:#|%:){_GAP}(if|ifdef|ifndef|elif|elifdef|elifndef|endif|define|include|import)\b[ \t]*([^\n]*)",
+    rf"^{_GAP}(?:#|%:){_GAP}(if|ifdef|ifndef|elif|elifdef|elifndef|else|endif|define|include|import)\b[ \t]*([^\n]*)",
     re.MULTILINE,
 )
 _SPLICE = re.compile(r"\\[ \t]*\r?\n")
@@ -65,9 +64,11 @@ def _from_row(row: object) -> Sight | None:
 
 
 def sight(text: str) -> Sight:
-    """That of *text*; the guard around a whole file is no condition. Takes linear time."""
+    """That of *text*; the guard around a whole file is no condition, what stands in its ``#else`` is under one. What ``#import`` names a tool may not read. Takes linear time."""
     if "\\" in text:
         text = _SPLICE.sub("", text)
+    if "/*" in text:
+        text = without_comments(text, "c")
     plain: dict[str, None] = {}
     conditional: dict[str, None] = {}
     defined: dict[str, None] = {}
@@ -79,19 +80,22 @@ def sight(text: str) -> Sight:
         if word.startswith(("if", "elif")):
             asked |= dict.fromkeys(_WORD.findall(rest))
             depth += word.startswith("if")
+            top = min(top, depth - word.startswith("elif"))
             guard = rest.split()[0] if is_first and word == "ifndef" and rest.split() else ""
         elif word == "define":
             name = _WORD.match(rest)
             defined |= {name[0]: None} if name else {}
             top = 1 if name and name[0] == guard and depth == 1 else top
+        elif word == "else":
+            top = min(top, depth - 1)
         elif word == "endif":
             depth -= 1
             top = min(top, max(depth, 0))
         elif name := _NAME.match(rest):
-            (conditional if depth > top else plain)[name[1]] = None
+            (conditional if depth > max(top, 0) or word == "import" else plain)[name[1]] = None
         is_first = False
     asked.pop("defined", None)
-    return Sight(tuple(name for name in conditional if name not in plain), tuple(defined)[:_MOST], tuple(asked)[:_MOST])
+    return Sight(tuple(name for name in conditional if name not in plain), tuple(defined), tuple(asked))
 
 
 def unseen(

@@ -29,6 +29,11 @@ ALONE = {
     "a condition of a version": (ONCE, f"#if VERSION > 3\nint a;\n#else\n{INCLUDE}#endif\n"),
     "a condition in a header": (ONCE, '#include "c.hpp"\n'),
     "a condition behind a guard": (ONCE, f"#ifndef A\n#define A\n#ifdef B\n{INCLUDE}#endif\n#endif\n"),
+    "the other way of a guard": (ONCE, f"#ifndef A\n#define A\n#else\n{INCLUDE}#endif\n"),
+    "another way of a guard": (ONCE, f"#ifndef A\n#define A\n#elif B\n{INCLUDE}#endif\n"),
+    "an end in a comment": (ONCE, f"#ifdef B\n/*\n#endif\n*/\n{INCLUDE}#endif\n"),
+    "import": (ONCE, '#import "part.hpp"\n'),
+    "behind many macros": (GUARDED, "".join(f"#define M{n}\n" for n in range(3000)) + f"#define PART_HPP\n{INCLUDE}"),
     "a guard that ends early": (ONCE, f"#ifndef A\n#define A\n#endif\n#ifdef B\n{INCLUDE}#endif\n"),
 }
 THROUGH = {
@@ -46,6 +51,8 @@ THROUGH = {
     "a macro in a comment": (GUARDED, f"// #define PART_HPP\n{INCLUDE}"),
     "a macro that begins alike": (GUARDED, f"#define PART_HPP_TWO\n{INCLUDE}"),
     "guards around everything": (GUARDED, f"#ifndef A\n#define A\n#ifdef B\n#endif\n{INCLUDE}#endif\n"),
+    "a way of a condition that is over": (ONCE, f"#ifndef A\n#define A\n#ifdef B\n#else\n#endif\n{INCLUDE}#endif\n"),
+    "imported and included": (ONCE, f'#import "part.hpp"\n{INCLUDE}'),
     "a macro of a file that does not include it": (GUARDED, f"{INCLUDE}int a;\n"),
 }
 MORE = {
