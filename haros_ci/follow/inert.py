@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 
 from haros_ci import syntax
-from haros_ci.follow import call_arguments, lookup, methods, partials, thrown
+from haros_ci.follow import call_arguments, initialised, methods, partials, thrown
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.ros import qos_profiles
 from haros_ci.follow.walk import Walk
@@ -246,7 +246,7 @@ def skipped(  # noqa: C901 - one branch for each place that a function can chang
     if function.source.separator == "::":
         for pointers in _pointers(walk, changed).values():  # those that are used later begin with what they are now
             for pointer in pointers:
-                lookup.global_cell(walk, *pointer)
+                initialised.global_cell(walk, *pointer)
     for (_, name), cell in walk.globals.items():
         if last(name) in changed and not _is_constant(cell):
             _forget(walk, cell, replace(unknown, type=cell.type))

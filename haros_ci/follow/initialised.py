@@ -1,15 +1,18 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What variables at namespace scope and static members do before ``main``: they register classes and functions ([basic.start.dynamic])."""
+"""Variables at namespace scope and static members, and what they do before ``main``: they register classes and functions ([basic.start.dynamic])."""
 
 from __future__ import annotations
 
 from haros_ci import syntax
-from haros_ci.follow import lookup
+from haros_ci.follow import construct
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.walk import Walk
 from haros_ci.index.index import Source
-from haros_ci.syntax import Field
+from haros_ci.index.types import MAPS, SEQUENCES
+from haros_ci.model.location import Location
+from haros_ci.syntax import Field, Type
 from haros_ci.syntax.walk import everything
+from haros_ci.values.abstract import Cell, tick
 
 #: Variables of one program that are followed so.
 MOST = 200
@@ -25,7 +28,7 @@ def before_main(walk: Walk) -> None:
             if found > MOST:
                 return
             assert source is not None
-            lookup.global_cell(walk, source, variable.name, variable.init, variable.type)
+            global_cell(walk, source, variable.name, variable.init, variable.type)
 
 
 def _doing(walk: Walk, source: Source) -> tuple[Field, ...]:
@@ -45,6 +48,47 @@ def _does(walk: Walk, source: Source, variable: Field) -> bool:
                 return True
     if "*" in variable.type.marks or "&" in variable.type.marks:
         return False
-    kind = walk.type_in(variable.type, Frame(source, scope))
-    constructors = walk.index.functions.get(f"{kind.name}::{kind.name.rpartition('::')[2]}", ())
+    return begins_with_calls(walk, walk.type_in(variable.type, Frame(source, scope)).name)
+
+
+def begins_with_calls(walk: Walk, name: str) -> bool:
+    """Whether a constructor of the class of that qualified name calls something."""
+    constructors = walk.index.functions.get(f"{name}::{name.rpartition('::')[2]}", ())
     return any(type(node) is syntax.Call for _, function in constructors for node in everything(function.body))
+
+
+def global_cell(walk: Walk, source: Source, name: str, init: syntax.Init | None, kind: Type) -> Cell:
+    """The one cell of a namespace-scope variable or static member, made when it is first used."""
+    key = (source.path, name)
+    cell = walk.globals.get(key)
+    if cell is None:
+        frame = Frame(source, name.rpartition(source.separator)[0])
+        resolved = walk.type_in(kind, frame)
+        mark, begun = walk.state.mark(), tick()
+        cell = walk.globals[key] = Cell(walk.opaque(f"{name} is not set", frame, None, resolved), resolved)
+        if init is not None:
+            cell.value = construct.initial(walk, frame, resolved, init, Location(source.path))
+        elif not init:
+            for where, variable in walk.index.variables.get(name, ()):  # a static member's definition elsewhere
+                if variable.init is not None:
+                    there = Frame(where, frame.scope)
+                    cell.value = construct.initial(walk, there, resolved, variable.init, Location(where.path))
+                    break
+            else:
+                if name in walk.index.variables and _is_container(resolved):  # it begins without an element
+                    cell.value = construct.initial(walk, frame, resolved, None, Location(source.path))
+                elif name in walk.index.variables and _does_something(walk, source, resolved):
+                    construct.initial(walk, frame, resolved, None, Location(source.path))
+        walk.state.settle(mark, begun)
+        walk.lasting.add(cell)
+    return cell
+
+
+def _is_container(kind: Type) -> bool:
+    return (kind.name in SEQUENCES or kind.name in MAPS) and not {"*", "&"} & set(kind.marks)
+
+
+def _does_something(walk: Walk, source: Source, kind: Type) -> bool:
+    """Whether ``T x;`` calls something. What x holds is not known then: what has changed it before it is looked at first may not have been followed."""
+    is_object = not {"*", "&"} & set(kind.marks) and walk.class_of(kind.name, source) is not None
+    return is_object and begins_with_calls(walk, kind.name)

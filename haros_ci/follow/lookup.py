@@ -8,7 +8,15 @@ import sys
 from collections.abc import Sequence
 
 from haros_ci import syntax
-from haros_ci.follow import construct, conversions, members, methods, object_macros, overloads, specialisations
+from haros_ci.follow import (
+    conversions,
+    initialised,
+    members,
+    methods,
+    object_macros,
+    overloads,
+    specialisations,
+)
 from haros_ci.follow.frames import NEXT, Frame, looked_up_from
 from haros_ci.follow.libraries import cpp as library_cpp
 from haros_ci.follow.libraries import numbers as library_numbers
@@ -17,8 +25,6 @@ from haros_ci.follow.ros import qos
 from haros_ci.follow.walk import Walk
 from haros_ci.index.common_messages import NAMES
 from haros_ci.index.index import EITHER, Source
-from haros_ci.index.types import MAPS, SEQUENCES
-from haros_ci.model.location import Location
 from haros_ci.syntax import Type
 from haros_ci.values.abstract import NONE, Callable, Cell, ClassValue, Known, Library, Module, Object, Value, join, tick
 
@@ -47,7 +53,7 @@ def named_cell(walk: Walk, frame: Frame, name: str) -> Cell | None:
         head, _, last = name.rpartition("::")
         meant = walk.type_in(syntax.Type(head), frame).name
         found = _found_variable(walk, frame, f"{meant}::{last}") if meant not in ("", head) else None
-    return global_cell(walk, *found) if found is not None else None
+    return initialised.global_cell(walk, *found) if found is not None else None
 
 
 def _found_variable(walk: Walk, frame: Frame, name: str) -> tuple[Source, str, syntax.Init | None, Type] | None:
@@ -77,38 +83,6 @@ def _variable(walk: Walk, frame: Frame, name: str) -> tuple[Source, str, syntax.
                     return static[0], candidate, static[1].init, static[2]
     meant = walk.type_in(syntax.Type(name), frame).name if "::" not in name else name
     return _variable(walk, frame, meant) if meant != name and meant in walk.index.variables else None
-
-
-def global_cell(walk: Walk, source: Source, name: str, init: syntax.Init | None, kind: Type) -> Cell:
-    """The one cell of a namespace-scope variable or static member, made when it is first used."""
-    key = (source.path, name)
-    cell = walk.globals.get(key)
-    if cell is None:
-        frame = Frame(source, name.rpartition(source.separator)[0])
-        resolved = walk.type_in(kind, frame)
-        mark, begun = walk.state.mark(), tick()
-        cell = walk.globals[key] = Cell(walk.opaque(f"{name} is not set", frame, None, resolved), resolved)
-        if init is not None:
-            cell.value = construct.initial(walk, frame, resolved, init, Location(source.path))
-        elif not init:
-            for where, variable in walk.index.variables.get(name, ()):  # a static member's definition elsewhere
-                if variable.init is not None:
-                    there = Frame(where, frame.scope)
-                    cell.value = construct.initial(walk, there, resolved, variable.init, Location(where.path))
-                    break
-            else:
-                if name in walk.index.variables and _is_made(walk, source, resolved):
-                    cell.value = construct.initial(walk, frame, resolved, None, Location(source.path))
-        walk.state.settle(mark, begun)
-        walk.lasting.add(cell)
-    return cell
-
-
-def _is_made(walk: Walk, source: Source, kind: Type) -> bool:
-    """Whether ``T x;`` makes something: an empty container, or an object of a class of the workspace."""
-    if {"*", "&"} & set(kind.marks):
-        return False
-    return kind.name in SEQUENCES or kind.name in MAPS or walk.class_of(kind.name, source) is not None
 
 
 def name(walk: Walk, frame: Frame, expression: syntax.Name) -> Value:
@@ -192,7 +166,9 @@ def _global_name(walk: Walk, frame: Frame, name: str) -> Value | object_macros.O
     found = walk.class_of(resolved.name, frame.source)
     if found is not None:
         return ClassValue(*found)
-    if resolved.name != name:  # what a using-declaration or an alias of a namespace stands for
+    if (
+        resolved.name != name and resolved.name not in walk.rows
+    ):  # what a using-declaration or an alias of a namespace stands for
         if functions := index.near(index.functions, resolved.name, frame.source, walk.files):
             return Callable(*methods.with_body(walk, functions))
     if "::" in name:
@@ -264,8 +240,12 @@ def _imported_name(walk: Walk, frame: Frame, name: str) -> Value | None:
         if alias.name == "*":
             target = f"{alias.type.name.removesuffix('.*')}.{name}"
             value = imported(walk, frame, target)
-            if not isinstance(value, Library) or value.name != python_modules.absolute(frame.source, target):
-                return value  # a module of the workspace has it from there
+            is_named = isinstance(value, Library) and value.name in (
+                name,
+                python_modules.absolute(frame.source, target),
+            )
+            if not is_named:
+                return value  # what a module of the workspace has from a library is called as it is there
     return None
 
 

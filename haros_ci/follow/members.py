@@ -6,7 +6,17 @@ from __future__ import annotations
 from dataclasses import replace
 
 from haros_ci import syntax
-from haros_ci.follow import activation, call_arguments, enums, expressions, linear, lookup, methods, properties
+from haros_ci.follow import (
+    activation,
+    call_arguments,
+    enums,
+    expressions,
+    initialised,
+    linear,
+    lookup,
+    methods,
+    properties,
+)
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import argparse, python_modules
 from haros_ci.follow.libraries import python as library_python
@@ -63,7 +73,9 @@ def member(walk: Walk, value: Value, name: str, frame: Frame) -> Cell | None:
         if found is not None:
             where, declared, kind = found
             if declared.is_static:
-                return lookup.global_cell(walk, where, f"{definition.name}{where.separator}{name}", declared.init, kind)
+                return initialised.global_cell(
+                    walk, where, f"{definition.name}{where.separator}{name}", declared.init, kind
+                )
             cell = value.fields[name] = Cell(walk.opaque(UNSET.format(name), frame, None, kind), kind)
     return cell
 
@@ -148,7 +160,7 @@ def static_cell(walk: Walk, source: Source, definition: Class, name: str, depth:
                 return None
             frame = Frame(source, definition.name)
             kind = walk.type_in(declared.type, frame)
-            return lookup.global_cell(walk, source, f"{definition.name}{separator}{name}", declared.init, kind)
+            return initialised.global_cell(walk, source, f"{definition.name}{separator}{name}", declared.init, kind)
     if separator == "." and depth < methods.BASES:
         every = linear.of_workspace(linear.order(walk, source, definition)[1:])
         cells = (static_cell(walk, where, known, name, methods.BASES) for where, known in every)
@@ -204,7 +216,7 @@ def attribute(walk: Walk, value: Value, name: str, frame: Frame) -> Value:  # no
         found = methods.field_of(walk, value.source, value.definition, name, {})
         if found is not None:
             separator = value.source.separator
-            return lookup.global_cell(
+            return initialised.global_cell(
                 walk, found[0], f"{value.definition.name}{separator}{name}", found[1].init, found[2]
             ).value
         unbound = methods.class_method(walk, value.source, value.definition, name)

@@ -29,9 +29,6 @@ FIRES = [
     (ALL, REGISTER + D + OBJECT + "namespace a { R r; }"),
     (ALL, REGISTER + D + TEMPLATE + 'static R<D> r("d");'),
     ("", 'bool go() { ros::NodeHandle nh; ADV(std::string("t"), 1); return true; } static bool gone = go();'),
-    ("g.go(nh);", W + "W g;"),
-    ("a::g.go(nh);", "namespace a { " + W + " static W g; }"),
-    ('g.set("x"); g.set("t"); g.go(nh);', W + "W g;"),
 ]
 QUIET = [
     (ALL, REGISTER + D),
