@@ -146,7 +146,11 @@ def test_the_system_is_checked_as_a_whole(checkout: Callable[..., Checkout]) -> 
     passed, said = user.commit(retyped)
     assert passed, said
     passed, said = user.commit(
-        {"demo/launch/all.launch.xml": SYSTEM["demo/launch/all.launch.xml"].replace("demo_", "")}
+        {
+            "demo/launch/all.launch.xml": SYSTEM["demo/launch/all.launch.xml"].replace(
+                "<launch>", "<launch>\n  <!-- both -->"
+            )
+        }
     )
     assert passed, said
     passed, said = user.commit({"README.md": "Talks.\n"})
