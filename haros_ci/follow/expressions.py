@@ -277,7 +277,7 @@ EVALUATORS: dict[type[Expression], _Evaluate] = dict(
         _on(syntax.This, _this),
         _on(syntax.Member, lambda walk, frame, e: members.field(walk, frame, e)),
         _on(syntax.Subscript, lambda walk, frame, e: indexing.indexed(walk, frame, e)),
-        _on(syntax.Call, lambda walk, frame, e: narrowing.called(walk, frame, e)),
+        _on(syntax.Call, lambda walk, frame, e: (narrowing.called if frame.beliefs else calls.call)(walk, frame, e)),
         _on(syntax.New, lambda walk, frame, e: calls.new(walk, frame, e)),
         _on(syntax.Operation, lambda walk, frame, e: operators.operation(walk, frame, e)),
         _on(syntax.Assignment, lambda walk, frame, e: assignments.assignment(walk, frame, e)),

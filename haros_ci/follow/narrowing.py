@@ -51,7 +51,7 @@ def narrowed(walk: Walk, frame: Frame, test: Expression) -> Iterator[None]:
 def called(walk: Walk, frame: Frame, expression: syntax.Call) -> Value:
     """The value of a call: where it is a getter's of which nothing is known, what the test around it says."""
     value = calls.call(walk, frame, expression)
-    if frame.beliefs and isinstance(value, Opaque):
+    if isinstance(value, Opaque):
         return frame.beliefs.get(_getter(expression), value)
     return value
 

@@ -93,8 +93,6 @@ def resolve_type(  # noqa: C901 - the order of the rules of name lookup
 ) -> Type:
     """*kind* with its aliases and template parameters replaced, all names qualified as far as the workspace tells."""
     name, arguments, marks = kind.name, kind.arguments, kind.marks
-    if name.startswith("::"):  # from the global namespace on ([basic.lookup.qual])
-        name, scope, templates = name[2:], "", {}
     index.resolving = index.resolving + 1 if depth else 0
     if not name or depth > 20 or index.resolving > MOST:
         return syntax.Type(name, (), marks)
@@ -115,7 +113,9 @@ def resolve_type(  # noqa: C901 - the order of the rules of name lookup
             return resolve_type(index, item, scope, source, files, templates, depth + 1)
         return item
 
-    resolved = tuple(inner(item) for item in arguments)
+    resolved = tuple([inner(item) for item in arguments])
+    if name.startswith("::"):  # from the global namespace on ([basic.lookup.qual])
+        name, scope, templates = name[2:], "", {}
     if name.removeprefix("std::").removesuffix("::type") in _ELEMENTS:
         element = _element(resolved, templates)
         return element.marked(marks) if element is not None else syntax.Type(name, resolved, marks)

@@ -78,3 +78,16 @@ def test_a_class_of_the_workspace_is_meant_from_the_global_namespace_on() -> Non
     )  # fmt: skip
     assert names(node(follow(cpp_files(HEAD + text)))) == ["/global", "/inner"]
     assert len(ends(node(follow(cpp_files(HEAD + text))))) == 2
+
+
+def test_what_stands_in_brackets_is_looked_up_where_it_is_written() -> None:
+    text = (
+        "namespace inner { struct Talker { void go(ros::NodeHandle & nh) { static auto a = nh.advertise<std_msgs::String>(\"t\", 1); } };\n"
+        "  template <class T> void start(ros::NodeHandle & nh) { ::std::unique_ptr<T> held(new T); ::std::vector<T> all(1);\n"
+        "    for (auto & one : all) { one.go(nh); } }\n"
+        "  struct Late { ::std::shared_ptr<Talker> held; void go(ros::NodeHandle & nh) { held->go(nh); } };\n"
+        "}\n"
+        "int main(int c, char ** v) { ros::init(c, v, \"n\"); ros::NodeHandle nh; inner::start<inner::Talker>(nh); inner::Late l; l.go(nh); }\n"
+    )  # fmt: skip
+    plain, written = (names(node(follow(cpp_files(HEAD + one)))) for one in (text.replace(" ::std", " std"), text))
+    assert written == plain == ["/t"]

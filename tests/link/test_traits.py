@@ -36,6 +36,7 @@ def ruled_out(test: str, call: str) -> list[str]:
         ("std::is_integral_v<T>", "int", True),
         ("std::is_floating_point_v<T>", "int", False),
         ("std::is_arithmetic<T>::value", "std::string", False),
+        ("std::is_integral_v<T>", "sensor_msgs::msg::Image", False),
     ],
 )
 def test_it_is_decided(test: str, types: str, answer: bool) -> None:
@@ -55,6 +56,9 @@ def test_it_is_decided(test: str, types: str, answer: bool) -> None:
         ("other::is_same_v<T, int>", "float"),
         ("std::is_integral_v<T>", "Unknown"),
         ("std::is_same_v<T, int *>", "int"),
+        ("std::is_integral_v<T>", "Eigen::Index"),
+        ("std::is_same_v<T, long>", "Eigen::Index"),
+        ("std::is_same_v<T, other::A>", "another::A"),
     ],
 )
 def test_it_is_not_decided(test: str, types: str) -> None:

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from haros_ci.follow.call_arguments import PassedArgument
 
 #: Types of which a moved one is empty, or is not known to be what it was (en.cppreference.com/w/cpp/utility/move).
-EMPTIED = frozenset(("std::unique_ptr",)) | STRINGS
+EMPTIED = frozenset(("std::unique_ptr", *(name for name in STRINGS if not name.endswith("_view"))))
 AWAY = "it may be moved away before"
 
 
