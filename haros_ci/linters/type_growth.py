@@ -14,14 +14,12 @@ from haros_ci.model.workspace import Workspace
 MOST_TOKENS = 12_000
 LARGE_TYPE = f"its types are made of more than {MOST_TOKENS:,} tokens"
 
-#: What may stand before the words of a type, where its struct is defined with it; tokens of one that are read.
 _TYPEDEF = re.compile(r"\btypedef\b")
-_WORD = re.compile(r"[A-Za-z_]\w*")
 _TOKEN = re.compile(r"[A-Za-z_]\w*|\d[\w.]*|[^\s\w]")
 _POINTED = re.compile(r"[(*&\s](?:\w+\s*::\s*)?[*&]+\s*(?:const\s+)?([A-Za-z_]\w*)\s*\)\s*[\[(]")
 _NAME = re.compile(r"([A-Za-z_]\w*)\s*(?:\[[^\]]*\]\s*|\([^()]*\)\s*)*\Z")
+#: Tokens and characters of one definition that are read.
 _LONGEST, _MOST = 2_000, 8_000
-
 _MACRO = re.compile(r"[A-Z][A-Z0-9_]*")
 
 

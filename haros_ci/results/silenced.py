@@ -77,11 +77,6 @@ class AddedComments:
         return Silenced(count, self.others, self.grown)
 
 
-def silenced(pairs: Iterable[SilencedPair], removed: Iterable[tuple[str, str, str]], runs: Iterable[Run]) -> Silenced:
-    """The comments that are new in *pairs*, and how many results of *runs* are suppressed by new ones alone."""
-    return added_comments(pairs, removed).silenced(runs)
-
-
 def added_comments(pairs: Iterable[SilencedPair], removed: Iterable[tuple[str, str, str]]) -> AddedComments:
     """The comments that are new in *pairs*, and those that were there and hold for more.
 

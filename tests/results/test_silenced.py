@@ -10,7 +10,7 @@ from haros_ci.results.directives import _NATIVE
 from haros_ci.results.result import BaselineState, Result, Run, Silenced, Suppression, Tool
 from haros_ci.results.rule import Level
 from haros_ci.results.silence_words import counted, sentences
-from haros_ci.results.silenced import SilencedPair, silenced
+from haros_ci.results.silenced import SilencedPair, added_comments
 from haros_ci.results.silencers import FORMS, silencers
 
 FIRES = [
@@ -136,7 +136,7 @@ def added(
     others: tuple[SilencedPair, ...] = (),
 ) -> list[str]:
     pairs = [SilencedPair(path, "python", head, base), *others]
-    found = silenced(pairs, [(f"gone{n}.py", "python", text) for n, text in enumerate(gone)], ())
+    found = added_comments(pairs, [(f"gone{n}.py", "python", text) for n, text in enumerate(gone)]).silenced(())
     return [f"{place}:{name}" for place, name in found.comments]
 
 
@@ -212,7 +212,7 @@ def test_a_comment_that_moves_to_another_changed_file() -> None:
 
 def test_prose_is_not_looked_at() -> None:
     text = "<!-- NOLINT codespell:ignore -->\n"
-    assert not silenced([SilencedPair("a.md", "markdown", text, "")], (), ())
+    assert not added_comments([SilencedPair("a.md", "markdown", text, "")], ()).silenced(())
 
 
 def result(line: int, *suppressions: Suppression, state: BaselineState | None = BaselineState.NEW) -> Result:
@@ -235,16 +235,18 @@ def test_findings_that_are_suppressed_by_the_change() -> None:
         result(3, comment(3, 8), comment(2, 8)),
         result(3),
     )
-    found = silenced([SilencedPair("a.py", "python", head, base)], (), [Run(Tool("t"), results=results)])
+    found = added_comments([SilencedPair("a.py", "python", head, base)], ()).silenced([Run(Tool("t"), results=results)])
     assert found == Silenced(findings=2)
-    assert not silenced([SilencedPair("a.py", "python", head, head)], (), [Run(Tool("t"), results=results)])
+    assert not added_comments([SilencedPair("a.py", "python", head, head)], ()).silenced(
+        [Run(Tool("t"), results=results)]
+    )
 
 
 def test_a_comment_that_comes_to_silence_other_code_is_new() -> None:
     base = "a = 1  # haros: ignore[r] x\nb = 2\nc = 3\nd = 4\n"
     head = "a = 1\nb = 2\nc = 3\nd = 4  # haros: ignore[r] x\n"
     runs = [Run(Tool("t"), results=(result(4, comment(4, 8)),))]
-    assert silenced([SilencedPair("a.py", "python", head, base)], (), runs).findings == 1
+    assert added_comments([SilencedPair("a.py", "python", head, base)], ()).silenced(runs).findings == 1
 
 
 def test_words() -> None:
@@ -283,7 +285,7 @@ MACRO = "// cppcheck-suppress-macro a\n#define X 1\n"
     ],
 )
 def test_comments_for_a_block_that_grows(base: str, head: str, lines: list[int]) -> None:
-    found = silenced([SilencedPair("a.cpp", "cpp", head, base)], (), ())
+    found = added_comments([SilencedPair("a.cpp", "cpp", head, base)], ()).silenced(())
     assert [place.line for place, _ in found.more] == lines
 
 
@@ -322,7 +324,7 @@ SUPPRESS = "// cppcheck-suppress nullPointer\n"
 )
 def test_old_comments_over_code_that_changes(path: str, base: str, head: str, lines: list[int]) -> None:
     language = "cpp" if path.endswith("cpp") else "python"
-    found = silenced([SilencedPair(path, language, head, base)], (), ())
+    found = added_comments([SilencedPair(path, language, head, base)], ()).silenced(())
     assert [place.line for place, _ in found.more] == lines and found.comments == ()
 
 
