@@ -173,6 +173,16 @@ def test_stays_quiet_of_a_template_that_is_given_no_class_that_makes_something()
     assert (node.name, node.unknowns, explicit(node)) == ("/a", (), [])
 
 
+def test_stays_quiet_of_a_template_of_the_workspace_that_has_specialisations() -> None:
+    slot = "template <class T, bool> class Slot {};\ntemplate <class T> class Slot<T, true> { T item; };\n"
+    body = 'auto n = std::make_shared<rclcpp::Node>("a"); Slot<Mode, true> s(1); rclcpp::spin(n);'
+    node = the_node(ros2_main(body, MODE + slot))
+    assert (node.name, reasons(node)) == (
+        "/a",
+        ["the class template Slot has specialisations, and which one is meant is not followed"],
+    )
+
+
 @pytest.mark.parametrize(
     "body",
     [

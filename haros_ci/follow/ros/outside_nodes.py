@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from haros_ci import syntax
-from haros_ci.follow import activation, call_arguments, construct, methods
+from haros_ci.follow import activation, call_arguments, construct, methods, specialisations
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import harmless
 from haros_ci.follow.libraries import objects as library_objects
@@ -112,7 +112,10 @@ def without_node(walk: Walk) -> None:
 
 
 def given(walk: Walk, frame: Frame, kind: syntax.Type, this: Object, location: Location) -> None:
-    """An object of a class template from outside is made, of which an argument is a class of the workspace: what that may make is made by it."""
+    """An object of a class template from outside is made, of which an argument is a class of the workspace: what that may make is made by it.
+
+    A template of the workspace gets here if it has specialisations: it is no node for that.
+    """
     if walk.context.process is None or walk.quiet or not _is_strange(walk, kind.name):
         return
     for inner in kind.arguments:
@@ -123,6 +126,9 @@ def given(walk: Walk, frame: Frame, kind: syntax.Type, this: Object, location: L
         if key in walk.offered:
             continue
         walk.offered.add(key)
+        if walk.class_of(kind.name, frame.source) is not None:
+            walk.gaps.setdefault(specialisations.OF_CLASS.format(kind.name), location)
+            continue
         _name_it(walk, this, kind.name, location)
         with walk.doubted(GIVEN.format(kind.name, owner[1].name)):
             _made(walk, frame, owner, Object(NODES[0], node=this.node), location)
