@@ -6,7 +6,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from haros_ci import syntax
-from haros_ci.follow import assignments, call_arguments, construct, expressions, methods
+from haros_ci.follow import assignments, bases, call_arguments, construct, expressions, methods
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.ros import qos_profiles, ros2_nodes
 from haros_ci.follow.walk import Walk
@@ -69,7 +69,7 @@ def _copy(walk: Walk, value: Value, kind: Type, depth: int, left: list[int]) -> 
             return value
         return replace(value, fields={n: _twin(walk, cell, cell.type, depth, left) for n, cell in value.fields.items()})
     owner = walk.class_of(kind.name, value.definition[0])
-    if owner is None or not derives(walk, value.definition, owner[1]):
+    if owner is None or not bases.derives(walk, value.definition, owner[1]):
         return value
     constructor = _copy_constructor(walk, owner)
     if constructor is not None and constructor not in walk.active:
@@ -89,17 +89,6 @@ def _twin(walk: Walk, cell: Cell, kind: Type | None, depth: int, left: list[int]
     if kind is not None and is_by_value(kind):
         return Cell(_copy(walk, cell.value, kind, depth - 1, left), cell.type)
     return Cell(cell.value, cell.type)
-
-
-def derives(walk: Walk, one: tuple[Source, Class], base: Class, depth: int = 0) -> bool:
-    """Whether class *one* is *base* or derived from it."""
-    if one[1] is base or one[1].name == base.name:
-        return True
-    if depth >= methods.BASES:
-        return False
-    owners = [walk.class_of(type_.name, one[0]) for type_ in walk.bases(one[0], one[1], {})]
-    others = [owner for owner in owners if owner is not None and owner[1] is not one[1]]
-    return any(derives(walk, owner, base, depth + 1) for owner in others)
 
 
 def is_reference(walk: Walk, value: Object, name: str) -> bool:
@@ -146,7 +135,7 @@ def duplicate(walk: Walk, owner: tuple[Source, Class], argument: call_arguments.
     value = argument.value
     if isinstance(value, Opaque):
         return _perhaps(walk, owner, argument, value)
-    if not isinstance(value, Object) or value.definition is None or not derives(walk, value.definition, owner[1]):
+    if not isinstance(value, Object) or value.definition is None or not bases.derives(walk, value.definition, owner[1]):
         return None
     if argument.type is not None and ("*" in argument.type.marks or is_smart_pointer(argument.type)):
         return None
@@ -154,7 +143,7 @@ def duplicate(walk: Walk, owner: tuple[Source, Class], argument: call_arguments.
         if kind.name in function.templates or is_smart_pointer(kind) or "*" in kind.marks:
             return None
         found = walk.class_of(pointee(kind).name, owner[0])
-        if found is not None and derives(walk, value.definition, found[1]) and function.body is not None:
+        if found is not None and bases.derives(walk, value.definition, found[1]) and function.body is not None:
             return None
     return copied(walk, value, syntax.Type(owner[1].name, value.arguments, ""))
 
@@ -168,7 +157,7 @@ def _perhaps(
     if kind is not None and kind.name not in ("", "auto"):
         found = walk.class_of(kind.name, source) if "*" not in kind.marks else None
         is_told = call_arguments.is_scalar(kind) or kind.name in STRINGS or "::" in kind.name or "*" in kind.marks
-        if not derives(walk, found, definition) if found is not None else is_told:  # else a template's parameter
+        if not bases.derives(walk, found, definition) if found is not None else is_told:  # else a template's parameter
             return None
     if methods.class_method(walk, source, definition, definition.name.rpartition("::")[2]) is not None:
         return None

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from haros_ci import syntax
-from haros_ci.follow import call_arguments, copies, lookup, members, methods
+from haros_ci.follow import bases, call_arguments, lookup, methods
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.walk import Walk
 from haros_ci.index.index import Source
@@ -43,12 +43,12 @@ def as_declared(
 def _not_virtual(walk: Walk, own: tuple[Source, Class], kind: str, name: str) -> tuple[Source, Class] | None:
     """The class *kind*, a base of *own*, if its method *name* is seen not to be virtual, and to be another one than that of *own*."""
     owner = walk.class_of(kind, own[0])
-    if owner is None or owner[1].templates or owner[1] is own[1] or not copies.derives(walk, own, owner[1]):
+    if owner is None or owner[1].templates or owner[1] is own[1] or not bases.derives(walk, own, owner[1]):
         return None
     meant, declared = (methods.class_method(walk, *class_, name) for class_ in (own, owner))
     if declared is None or meant is None or meant[1].owner == declared[1].owner:
         return None
-    every = members.lineage(walk, *own)
+    every = bases.lineage(walk, *own)
     is_virtual = any(_is_virtual(walk, f"{class_.name}::{name}") for _, class_ in every)
     return None if is_virtual or methods.library_bases(walk, *owner) else owner
 
@@ -77,7 +77,7 @@ def _overrider(walk: Walk, owner: tuple[Source, Class], name: str) -> str | None
         if other == owner[1].name or not any(_adds(walk, where, function, name) for where, function in found):
             continue
         for where, definition in walk.index.classes[other]:
-            if walk.index.sees(owner[0], where, walk.files) and copies.derives(walk, (where, definition), owner[1]):
+            if walk.index.sees(owner[0], where, walk.files) and bases.derives(walk, (where, definition), owner[1]):
                 return other
     return None
 

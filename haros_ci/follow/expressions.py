@@ -11,6 +11,7 @@ from typing import TypeVar, cast
 from haros_ci import syntax
 from haros_ci.follow import (
     assignments,
+    bases,
     calls,
     construct,
     conversions,
@@ -241,7 +242,7 @@ def _cast(walk: Walk, frame: Frame, expression: syntax.Cast) -> Value:
     if isinstance(value, Object) and value.definition is not None and "*" in kind.marks:
         owner = walk.class_of(kind.name, frame.source)
         own = value.definition[1]
-        if owner is not None and owner[1] is not own and copies.derives(walk, owner, own):
+        if owner is not None and owner[1] is not own and bases.derives(walk, owner, own):
             return walk.opaque("whether it is cast to its own class", frame, None, kind.bare())
     return conversions.converted(value, kind)
 

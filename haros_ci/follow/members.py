@@ -8,6 +8,7 @@ from dataclasses import replace
 from haros_ci import syntax
 from haros_ci.follow import (
     activation,
+    bases,
     call_arguments,
     enums,
     expressions,
@@ -44,8 +45,6 @@ from haros_ci.values.abstract import (
 
 #: Why a member is not known, by its name.
 UNSET = "the member {} is not set before"
-#: So many bases of a class are looked at for ``Base::member``.
-MOST_BASES = 40
 
 
 def member(walk: Walk, value: Value, name: str, frame: Frame) -> Cell | None:
@@ -99,7 +98,7 @@ def _of_base(walk: Walk, value: Object, name: str, frame: Frame) -> Cell | None:
         return None
     source, definition = value.definition
     meant = walk.type_in(syntax.Type(head), frame).name
-    every = lineage(walk, source, definition)
+    every = bases.lineage(walk, source, definition)
     owners = [item for item in every if item[1].name in (meant, head)]
     owners = owners or [item for item in every if item[1].name.endswith(f"::{head}")]  # the injected class name
     found = methods.field_of(walk, *owners[0], last, {}) if len(owners) == 1 else None
@@ -112,21 +111,6 @@ def _of_base(walk: Walk, value: Object, name: str, frame: Frame) -> Cell | None:
     if key not in value.fields:
         value.fields[key] = Cell(walk.opaque(f"{name} is hidden by a member of its derived class", frame), found[2])
     return value.fields[key]
-
-
-def lineage(walk: Walk, source: Source, definition: Class) -> list[tuple[Source, Class]]:
-    """A class of C++ and its bases in the workspace."""
-    key = ("lineage", id(definition))
-    if key not in walk.found:
-        found, at = [(source, definition)], 0
-        while at < len(found) < MOST_BASES:
-            where, known = found[at]
-            at += 1
-            owners = (walk.class_of(base.name, where) for base in walk.bases(where, known, {}))
-            found += [item for item in owners if item is not None and all(item[1] is not other for _, other in found)]
-        walk.found[key] = found
-    classes: list[tuple[Source, Class]] = walk.found[key]
-    return classes
 
 
 def _of_module_or_class(walk: Walk, value: Value, name: str) -> Cell | None:

@@ -12,43 +12,11 @@ from haros_ci.index.trace import Traced
 from haros_ci.syntax import Alias, Field, Function, Program
 
 
-def build_index(sources: Iterable[Source]) -> Index:  # noqa: C901 - one loop for each kind of what a file defines
+def build_index(sources: Iterable[Source]) -> Index:
     """Index *sources*, sorted by path."""
     index = Index()
     for source in sources:
-        program = source.program
-        is_cpp = program.language != "python"
-        if is_cpp:
-            index.sources[source.path] = source
-            index.file_names[posixpath.basename(source.path)].append(source.path)
-            functions = {function.name for function in program.functions if function.name and function.kind != "lambda"}
-            index.local[source.path] = _local(program, functions)
-            spaces = (alias.name for alias in program.aliases if alias.type.marks == "namespace")
-            inside = (*(item.name for item in program.classes), *spaces)
-            index.inner |= functions.intersection(name.rpartition("::")[0] for name in inside)
-        else:
-            index.by_place[source.path.removesuffix(".py").removesuffix("/__init__")] = source
-        for definition in program.classes:
-            fields = _without_doubles(definition.fields) if is_cpp else definition.fields
-            whole = definition if fields is definition.fields else syntax.replace(definition, fields=fields)
-            index.classes[definition.name].append((source, whole))
-        for function in program.functions:
-            if function.kind == "lambda" or not function.name:
-                continue
-            index.functions[function.name].append((source, function))
-            if function.owner and is_cpp:
-                parts = function.name.split("::")
-                index.by_tail["::".join(parts[-2:])].append((source, function))
-        for variable in _without_doubles(program.variables) if is_cpp else program.variables:
-            index.variables[variable.name].append((source, variable))
-        for alias in program.aliases:
-            index.aliases[alias.name].append((source, alias))
-        for name, parameters, body in program.macros:
-            if parameters is None:
-                index.macros[name].append((source, body))
-        if source.module:
-            index.modules[source.module].append(source)
-        index.included[source.path] = _included(program)
+        _add(index, source)
     for source in index.sources.values():
         for function in source.program.functions:
             if function.owner and function.owner not in index.classes:
@@ -59,6 +27,52 @@ def build_index(sources: Iterable[Source]) -> Index:  # noqa: C901 - one loop fo
     for name in ("classes", "functions", "variables", "aliases", "macros", "by_tail"):
         setattr(index, name, Traced(getattr(index, name)))
     return index
+
+
+def _add(index: Index, source: Source) -> None:
+    """Enter all that the file defines under its names."""
+    program = source.program
+    is_cpp = program.language != "python"
+    if is_cpp:
+        _add_file(index, source)
+    else:
+        index.by_place[source.path.removesuffix(".py").removesuffix("/__init__")] = source
+    for definition in program.classes:
+        fields = _without_doubles(definition.fields) if is_cpp else definition.fields
+        whole = definition if fields is definition.fields else syntax.replace(definition, fields=fields)
+        index.classes[definition.name].append((source, whole))
+    for function in program.functions:
+        if function.kind != "lambda" and function.name:
+            _add_function(index, source, function)
+    for variable in _without_doubles(program.variables) if is_cpp else program.variables:
+        index.variables[variable.name].append((source, variable))
+    for alias in program.aliases:
+        index.aliases[alias.name].append((source, alias))
+    for name, parameters, body in program.macros:
+        if parameters is None:
+            index.macros[name].append((source, body))
+    if source.module:
+        index.modules[source.module].append(source)
+    index.included[source.path] = _included(program)
+
+
+def _add_file(index: Index, source: Source) -> None:
+    """Enter a file of C++ under its path and name, and what is defined inside of its functions."""
+    program = source.program
+    index.sources[source.path] = source
+    index.file_names[posixpath.basename(source.path)].append(source.path)
+    functions = {function.name for function in program.functions if function.name and function.kind != "lambda"}
+    index.local[source.path] = _local(program, functions)
+    spaces = (alias.name for alias in program.aliases if alias.type.marks == "namespace")
+    inside = (*(item.name for item in program.classes), *spaces)
+    index.inner |= functions.intersection(name.rpartition("::")[0] for name in inside)
+
+
+def _add_function(index: Index, source: Source, function: Function) -> None:
+    index.functions[function.name].append((source, function))
+    if function.owner and source.program.language != "python":
+        parts = function.name.split("::")
+        index.by_tail["::".join(parts[-2:])].append((source, function))
 
 
 def _in_open_namespace(index: Index, source: Source, function: Function) -> None:

@@ -73,39 +73,48 @@ def notifications(head: Workspace, base: Workspace | None) -> tuple[Notification
     """A note for each C++ file of *head* that has such code, which nothing in *base* has in the same words; none without a base."""
     if base is None:
         return ()
-    old = {file.path: file for file in base.files if file.language == "cpp"}
-    there = {file.path for file in head.files}
-    known = {file.digest for file in old.values()}
-    every = [file for file in head.files if file.language == "cpp"]
-    edited = [file for file in every if file.path not in old or old[file.path].digest != file.digest]
-    changed = [file for file in edited if file.path in old or file.digest not in known]
-    after, before = _Sight(head), _Sight(base)
-    if not edited and before.has_same_builds(after):
-        return ()
-    names = brought(after.elsewhere, before.elsewhere, edited, old)
-    users = pasted_names.pattern(names)
-    affected = [file for file in every if file not in changed and users and users.search(head.text(file.path))]
-    moved: set[Mark] | None = None
-    found = []
-    for file in (*changed, *affected):
-        if not head.reports_on(file.path):
-            continue
-        marks = list(dict.fromkeys(after.marks(file)))
-        if marks and moved is None:
-            moved = {mark for path in old.keys() - there for mark in before.marks(old[path])}
-        known_marks = {*(moved or ()), *(before.marks(old[file.path]) if marks and file.path in old else ())}
-        if new := [words for words, meaning in marks if (words, meaning) not in known_marks]:
-            more = f", and {len(new) - 1} more" if len(new) > 1 else ""
-            found.append(
-                (file.path, f"since this change cppcheck is given {new[0]} in another way than the compiler{more}")
-            )
-    found.sort()
+    found = sorted(_brought(head, base))
     rest = len(found) - MOST_FILES
     text = f"{rest} more files have code that cppcheck is given in another way than the compiler"
     return (
         *(Notification(Level.NOTE, f"{words}; look at it", path=path) for path, words in found[:MOST_FILES]),
         *([Notification(Level.NOTE, text)] if rest > 0 else []),
     )
+
+
+def _brought(head: Workspace, base: Workspace) -> Iterator[tuple[str, str]]:
+    """Each file of *head* that is read in another way than in *base*, and what of it, in words."""
+    after, before = _Sight(head), _Sight(base)
+    old = {file.path: file for file in before.files()}
+    moved: set[Mark] | None = None
+    for file in _affected(after, before, old):
+        if not head.reports_on(file.path):
+            continue
+        marks = list(dict.fromkeys(after.marks(file)))
+        if not marks:
+            continue
+        if moved is None:
+            gone = old.keys() - {file.path for file in head.files}
+            moved = {mark for path in gone for mark in before.marks(old[path])}
+        known = {*moved, *(before.marks(old[file.path]) if file.path in old else ())}
+        if new := [mark[0] for mark in marks if mark not in known]:
+            more = f", and {len(new) - 1} more" if len(new) > 1 else ""
+            yield file.path, f"since this change cppcheck is given {new[0]} in another way than the compiler{more}"
+
+
+def _affected(after: _Sight, before: _Sight, old: dict[str, SourceFile]) -> list[SourceFile]:
+    """The C++ files that changed, but for those that were only moved; then those that use a macro that means something else now."""
+    every = after.files()
+    edited = [file for file in every if file.path not in old or old[file.path].digest != file.digest]
+    if not edited and before.has_same_builds(after):
+        return []
+    known = {file.digest for file in old.values()}
+    changed = [file for file in edited if file.path in old or file.digest not in known]
+    users = pasted_names.pattern(brought(after.elsewhere, before.elsewhere, edited, old))
+    if not users:
+        return changed
+    others = (file for file in every if file not in changed)
+    return [*changed, *(file for file in others if users.search(after.workspace.text(file.path)))]
 
 
 #: What is seen otherwise, in words, and what it stands for.
@@ -116,18 +125,22 @@ class _Sight:
     """How cppcheck sees the files of a *workspace*, and a compiler does not."""
 
     def __init__(self, workspace: Workspace) -> None:
-        self._workspace = workspace
+        self.workspace = workspace
         self.elsewhere = MacrosElsewhere(workspace)
+
+    def files(self) -> list[SourceFile]:
+        """Those of C++."""
+        return [file for file in self.workspace.files if file.language == "cpp"]
 
     def has_same_builds(self, other: _Sight) -> bool:
         mine, yours = self.elsewhere, other.elsewhere
         return not mine.templates and not yours.templates and mine.forced == yours.forced
 
     def marks(self, file: SourceFile) -> Iterator[Mark]:
-        text = self._workspace.text(file.path)
+        text = self.workspace.text(file.path)
         yield from ((words, "") for words in seen_otherwise(text))
         yield from ((words, "") for words in self._tested(text))
-        yield from ((words, "") for words in pasted_names.pasted(file, self._workspace, self.elsewhere))
+        yield from ((words, "") for words in pasted_names.pasted(file, self.workspace, self.elsewhere))
         yield from self.elsewhere.used(file)
 
     def _tested(self, text: str) -> Iterator[str]:
@@ -136,7 +149,7 @@ class _Sight:
             return
         asked = {match[1] for match in _TESTED.finditer(_code(text)) if match["own"] is None}
         for name in sorted(name for name in asked - _GIVEN if _LIKE_ONE.fullmatch(name)):
-            texts = (self._workspace.text(file.path) for file in self._workspace.files if file.language == "cpp")
+            texts = (self.workspace.text(file.path) for file in self.files())
             marks = {mark for text in texts if name in text for mark in macro_scan.marks(text)}
             if name in macro_scan.decorations(marks) or name in macro_scan.registrations(marks):
                 yield f"a condition on {name}, which it takes for nothing,"
@@ -144,14 +157,7 @@ class _Sight:
 
 def seen_otherwise(text: str) -> Iterator[str]:
     """What *text* has of this, quoted, in its order by kind; takes linear time."""
-    if _OVER_LINES.search(text) is not None:
-        yield "a comment whose end is written over two lines"
-    if _ODD_SPLICE.search(text) is not None:
-        yield "a line that goes on behind a form feed or vertical tab"
-    if "??" in text and (_TRIGRAPH_SPLICE.search(text) or _TRIGRAPH.search(without_comments(text, "c"))):
-        yield "a trigraph"
-    if _ASSEMBLER.search(text) is not None:
-        yield "the name _asm, which it takes for an assembler's block,"
+    yield from _spellings(text)
     if (
         "ragma" not in text
         and "#" not in text
@@ -164,23 +170,46 @@ def seen_otherwise(text: str) -> Iterator[str]:
     yield from _pragmas(text)
     if "__LINE__" in text and _LINE.search(text) is not None:
         yield "the number of a line, which a directive sets,"
-    guarded = {match[1] for match in _TESTED.finditer(text)}
-    for match in _DEFINED.finditer(text):
-        name, arguments, meaning = match[1], match[2], match[3].strip()
-        if name not in guarded or not (name in _GIVEN or is_decoration(name)) or not meaning:
-            continue
-        is_given_one = name in _GIVEN and name not in _EMPTY
-        if is_given_one or arguments or _WORDS.fullmatch(meaning[:_LONGEST]) is None or _SPELLED.search(meaning):
-            yield f"the macro {name}, which it takes for {'another one' if is_given_one else 'nothing'},"
-    for match in _TESTED.finditer(text):
-        if match[1] in _GIVEN and match["own"] is None:
-            yield f"a condition on {match[1]}, which it is given,"
+    yield from _macros(text)
     done = 0
     for match in _CALL.finditer(text):
         if match[1] in _WITH_ARGUMENTS and match.start() >= done:
             has_code, done = _read(text, match.end())
             if has_code:
                 yield f"code in the arguments of {match[1]}"
+
+
+def _spellings(text: str) -> Iterator[str]:
+    """What is written in a way that cppcheck reads as something else."""
+    if _OVER_LINES.search(text) is not None:
+        yield "a comment whose end is written over two lines"
+    if _ODD_SPLICE.search(text) is not None:
+        yield "a line that goes on behind a form feed or vertical tab"
+    if "??" in text and (_TRIGRAPH_SPLICE.search(text) or _TRIGRAPH.search(without_comments(text, "c"))):
+        yield "a trigraph"
+    if _ASSEMBLER.search(text) is not None:
+        yield "the name _asm, which it takes for an assembler's block,"
+
+
+def _macros(text: str) -> Iterator[str]:
+    """Macros whose meaning, and conditions whose answer, cppcheck is given another one."""
+    guarded = {match[1] for match in _TESTED.finditer(text)}
+    for match in _DEFINED.finditer(text):
+        name, meaning = match[1], match[3].strip()
+        if name not in guarded or not (name in _GIVEN or is_decoration(name)) or not meaning:
+            continue
+        if name in _GIVEN and name not in _EMPTY:
+            yield f"the macro {name}, which it takes for another one,"
+        elif match[2] or _may_be_code(meaning):
+            yield f"the macro {name}, which it takes for nothing,"
+    for match in _TESTED.finditer(text):
+        if match[1] in _GIVEN and match["own"] is None:
+            yield f"a condition on {match[1]}, which it is given,"
+
+
+def _may_be_code(meaning: str) -> bool:
+    """Whether the meaning of a macro is more than a decoration's."""
+    return _WORDS.fullmatch(meaning[:_LONGEST]) is None or _SPELLED.search(meaning) is not None
 
 
 def _pragmas(text: str) -> Iterator[str]:

@@ -16,34 +16,37 @@ MOST = 20
 
 def brought_steps(head: Workspace, base: Workspace) -> tuple[tuple[Problem, ...], tuple[Problem, ...]]:
     """What changed CMake files of *head*, and templates of some, have, and no CMake file of *base* that is gone or has changed, in the same words: what is a finding, and what is a note."""
-    known = {file.digest for file in base.files if file.language == "cmake"}
-    same = {(file.path, file.digest) for file in head.files if file.language == "cmake"}
-    changed = [
-        file.path
-        for file in head.files
-        if file.language == "cmake" and file.digest not in known and not file.third_party and head.reports_on(file.path)
-    ]
-    templates = [path for path in cmake_templates(head) if head.reports_on(path) and _differs(path, head, base)]
-    if not changed and not templates:
+    texts = {path: head.text(path) for path in _changed(head, base)}
+    templates = {path for path in cmake_templates(head) if head.reports_on(path) and _differs(path, head, base)}
+    texts |= {path: as_cmake(head.text(path)) for path in sorted(templates)}
+    if not texts:
         return (), ()
-    before = {
-        step.words
-        for file in base.files
-        if file.language == "cmake" and (file.path, file.digest) not in same
-        for step in steps_not_followed(base.text(file.path))
-    }
-    if templates:
-        texts = (base.text(path) for path in cmake_templates(base) if _differs(path, base, head))
-        before |= {step.words for text in texts for step in steps_not_followed(as_cmake(text))}
+    before = _words_before(head, base, with_templates=bool(templates))
     names = {path.rpartition("/")[2] for path in head.names}
     found: list[Problem] = []
     notes: list[Problem] = []
-    for path in (*changed, *templates):
-        text = as_cmake(head.text(path)) if path in templates else head.text(path)
+    for path, text in texts.items():
         steps = [step for step in steps_not_followed(text, names.__contains__) if step.words not in before]
         found += cut((_problem(path, step) for step in steps if not step.is_usual), MOST)
         notes += (_problem(path, step) for step in steps if step.is_usual)
     return tuple(found), cut(notes, MOST)
+
+
+def _changed(head: Workspace, base: Workspace) -> list[str]:
+    """The CMake files of *head* that are reported on, and have a text that no file of *base* has."""
+    known = {file.digest for file in base.files if file.language == "cmake"}
+    new = (file for file in head.files if file.language == "cmake" and file.digest not in known)
+    return [file.path for file in new if not file.third_party and head.reports_on(file.path)]
+
+
+def _words_before(head: Workspace, base: Workspace, with_templates: bool) -> set[str]:
+    """The steps, in words, of the CMake files of *base*, and its templates of some, that *head* has in no such way."""
+    same = {(file.path, file.digest) for file in head.files if file.language == "cmake"}
+    gone = (file for file in base.files if file.language == "cmake" and (file.path, file.digest) not in same)
+    texts = [base.text(file.path) for file in gone]
+    if with_templates:
+        texts += [as_cmake(base.text(path)) for path in cmake_templates(base) if _differs(path, base, head)]
+    return {step.words for text in texts for step in steps_not_followed(text)}
 
 
 def _differs(path: str, here: Workspace, there: Workspace) -> bool:

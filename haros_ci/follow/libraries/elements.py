@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from haros_ci.follow import braces, call_arguments, construct, copies
+from haros_ci.follow import bases, braces, call_arguments, construct, copies
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.ros import api_rows
 from haros_ci.follow.walk import Walk
@@ -77,7 +77,7 @@ def _is_one(walk: Walk, kind: Type, value: Value) -> bool:
     """Whether *value* is an element itself, or may be one."""
     if isinstance(value, Object):
         of = walk.class_of(kind.name, value.definition[0]) if value.definition is not None else None
-        is_derived = of is not None and value.definition is not None and copies.derives(walk, value.definition, of[1])
+        is_derived = of is not None and value.definition is not None and bases.derives(walk, value.definition, of[1])
         return value.name == kind.name or is_derived
     is_braces = isinstance(value, Sequence) and value.type is None
     return isinstance(value, (Opaque, Choice)) or is_braces
