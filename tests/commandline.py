@@ -9,7 +9,6 @@ import shutil
 import subprocess
 import tempfile
 from collections.abc import Mapping
-from functools import lru_cache
 from pathlib import Path
 
 from forked import server
@@ -45,12 +44,12 @@ def haros(*arguments: str, cwd: Path, **environment: str) -> subprocess.Complete
     return subprocess.CompletedProcess(done.args, done.returncode, done.stdout.decode(), done.stderr.decode())
 
 
-@lru_cache(maxsize=1)
 def cache_home() -> str:
-    """A cache for all runs of this process: the same files are in many tests."""
-    place = tempfile.mkdtemp(prefix="haros-ci-tests-")
-    atexit.register(shutil.rmtree, place, ignore_errors=True)
-    return place
+    """A cache for all tests of this run, and of the processes of it, which inherit its name: the same files are in many tests."""
+    if "TESTS_CACHE_HOME" not in os.environ:
+        os.environ["TESTS_CACHE_HOME"] = tempfile.mkdtemp(prefix="haros-ci-tests-")
+        atexit.register(shutil.rmtree, os.environ["TESTS_CACHE_HOME"], ignore_errors=True)
+    return os.environ["TESTS_CACHE_HOME"]
 
 
 def write(root: Path, files: Mapping[str, str | bytes]) -> Path:

@@ -11,6 +11,7 @@ import signal
 import sys
 
 import pytest
+from commandline import cache_home
 from hypothesis import settings
 from tiers import is_slow
 
@@ -33,6 +34,11 @@ _GIT = {"maintenance.auto": "false", "core.fsync": "none"}
 os.environ["GIT_CONFIG_COUNT"] = str(len(_GIT))
 for _number, (_key, _value) in enumerate(_GIT.items()):
     os.environ[f"GIT_CONFIG_KEY_{_number}"], os.environ[f"GIT_CONFIG_VALUE_{_number}"] = _key, _value
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    if not hasattr(config, "workerinput"):  # before the processes of pytest-xdist begin
+        cache_home()
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:

@@ -45,34 +45,34 @@ POLICY = (
 )
 ACCESS = "<topics publish='ALLOW' subscribe='ALLOW'>{}</topics>"
 MANY: dict[str, Files] = {
-    "find_package": package("bad", commands=lines(10_000, "find_package(p@ REQUIRED)")),
-    "dependencies": package("bad", lines(10_000, "<depend>p@</depend>")),
+    "find_package": package("bad", commands=lines(4_000, "find_package(p@ REQUIRED)")),
+    "dependencies": package("bad", lines(4_000, "<depend>p@</depend>")),
     "targets": package(
-        "bad", commands=lines(4_000, "add_executable(t@ t@.cpp)", "install(TARGETS t@ DESTINATION lib/bad)")
+        "bad", commands=lines(1_500, "add_executable(t@ t@.cpp)", "install(TARGETS t@ DESTINATION lib/bad)")
     ),
     "installed": package(
-        "bad", commands=lines(5_000, "install(DIRECTORY d@ DESTINATION share/bad)", "install(FILES f@ DESTINATION s)")
+        "bad", commands=lines(2_000, "install(DIRECTORY d@ DESTINATION share/bad)", "install(FILES f@ DESTINATION s)")
     ),
-    "exported": package("bad", commands=lines(5_000, "ament_export_libraries(bad@)", "ament_export_targets(e@)")),
+    "exported": package("bad", commands=lines(2_000, "ament_export_libraries(bad@)", "ament_export_targets(e@)")),
     "blank lines of a .gitmodules": {
         **package("bad", commands=lines(2_000, "install(DIRECTORY d@ DESTINATION share/bad)")),
         ".gitmodules": "\n" * 1_000_000,
         ".gitignore": "\n" * 1_000_000,
     },
-    "a circle": cycle(1_500),
+    "a circle": cycle(600),
     "plug-ins": {
         **package("bad", commands="pluginlib_export_plugin_description_file(b p.xml)\nadd_library(l SHARED l.cpp)"),
         "bad/p.xml": '<library path="l">\n'
-        + lines(6_000, '<class type="n::C@" base_class_type="b::B@"/>')
+        + lines(2_000, '<class type="n::C@" base_class_type="b::B@"/>')
         + "</library>",
-        "bad/l.cpp": lines(6_000, "PLUGINLIB_EXPORT_CLASS(n::D@, b::B@)"),
+        "bad/l.cpp": lines(2_000, "PLUGINLIB_EXPORT_CLASS(n::D@, b::B@)"),
     },
     "components": {
         **package(
             "bad",
-            commands="add_library(l SHARED l.cpp)\n" + lines(3_000, 'rclcpp_components_register_nodes(l "n::C@")'),
+            commands="add_library(l SHARED l.cpp)\n" + lines(1_200, 'rclcpp_components_register_nodes(l "n::C@")'),
         ),
-        "bad/l.cpp": lines(3_000, "RCLCPP_COMPONENTS_REGISTER_NODE(n::D@)"),
+        "bad/l.cpp": lines(1_200, "RCLCPP_COMPONENTS_REGISTER_NODE(n::D@)"),
     },
     "patterns of a policy": {
         **package("bad", commands="add_executable(t t.cpp)\ninstall(TARGETS t DESTINATION lib/bad)"),
@@ -96,14 +96,14 @@ MANY: dict[str, Files] = {
         **{
             f"bad/p{number}.policy.xml": POLICY.format(
                 '<profile ns="/" node="n">\n'
-                + INCLUDE.format("big.xml", "a") * 1_900
+                + INCLUDE.format("big.xml", "a") * 900
                 + '</profile><profile ns="/" node="m">\n'
                 + INCLUDE.format(f"p{number}.policy.xml", "enclaves") * 60
                 + "</profile>"
             )
             for number in range(10)
         },
-        "bad/big.xml": "<policy>\n" + lines(15_000, "<a>" + ACCESS.format("<topic>x@</topic>") + "</a>") + "</policy>",
+        "bad/big.xml": "<policy>\n" + lines(6_000, "<a>" + ACCESS.format("<topic>x@</topic>") + "</a>") + "</policy>",
     },
 }
 
