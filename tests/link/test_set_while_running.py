@@ -41,7 +41,7 @@ def is_ruled_out(tick: str = "pass", heard: str = "pass", do: str = "pass", firs
         "p/p/__init__.py": "",
         "p/p/n.py": HEAD
         + "from std_srvs.srv import Empty\n"
-        + PROGRAM % tuple([f"        {first}", *(body.replace("\n", "\n        ") for body in (tick, heard, do))]),
+        + PROGRAM % (f"        {first}", *(body.replace("\n", "\n        ") for body in (tick, heard, do))),
     }
     (end,) = explicit(follow(files, 2).configurations[0].nodes[0])
     assert end.name == "/out"
