@@ -154,6 +154,8 @@ def function(walk: Walk, frame: Frame, name: str, args: tuple[PassedArgument, ..
         return argv(walk, frame, name == "rospy.myargv")
     if name in dynamic.IMPORTS:
         return dynamic.module(walk, frame, name, args)
+    if name in dynamic.CLASSES:
+        return dynamic.interface(name, args)
     if name == "getattr" and len(args) >= 2 and isinstance(first, Opaque) and first.reason == dynamic.IMPORTED:
         return dynamic.of_module(walk, first, args[1].value, frame)
     if name == "object.__getattribute__" and len(args) == 2:
@@ -162,6 +164,8 @@ def function(walk: Walk, frame: Frame, name: str, args: tuple[PassedArgument, ..
         return members.attribute(walk, args[0].value, str(args[1].value.value), frame)
     if name == "getattr" and len(args) >= 2 and first is not None:
         return attribute_names.possible(walk, first, args[1].value, tuple(a.value for a in args[2:]), frame)
+    if name == "setattr" and len(args) == 3 and first is not None:
+        return attribute_names.assigned(walk, first, args[1].value, args[2].value, frame)
     if name == "callable" and isinstance(first, (Callable, ClassValue, Known, Text, Sequence, Mapped)):
         return Known(isinstance(first, (Callable, ClassValue)))
     if name == "dir" and len(args) == 1 and first is not None:
