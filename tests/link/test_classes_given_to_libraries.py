@@ -66,6 +66,12 @@ def test_they_may_be_called(code: str, expected: list[str]) -> None:
         HANDLER.replace("PUB('h')", "pass") + "HTTPServer(('', 80), H)\n",
         HANDLER.replace("self.answer()", "pass").replace("answer", "__answer") + "HTTPServer(('', 80), H)\n",
         SOCKET.replace("    def open", "    @staticmethod\n    def open") + "tornado.web.Application([('/x', H)])\n",
+        "import asynctest, rostest\n"
+        + HANDLER.replace("(BaseHTTPRequestHandler)", "(asynctest.TestCase)")
+        + "rostest.rosrun('p', 'n', H)\n",
+        "import aiounittest, rostest\n"
+        + HANDLER.replace("(BaseHTTPRequestHandler)", "(aiounittest.AsyncTestCase)")
+        + "rostest.rosrun('p', 'n', H)\n",
         TREE + "H('a')\n",
         TREE + "every = [H('a')]\nprint(every)\n",
     ],

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
+from itertools import islice
 from typing import TYPE_CHECKING
 
 from haros_ci import syntax
@@ -35,8 +36,10 @@ _BESIDE = frozenset("std boost object abc ABC typing typing_extensions dataclass
 PROCESSES = frozenset(
     ("multiprocessing.Process", "multiprocessing.context.Process", "multiprocessing.process.BaseProcess")
 )
-#: Lists in lists that are looked into for what is given, and elements of each.
-DEEP, MOST = 3, 100
+#: How the names of base classes end whose methods are tests: ``asynctest.TestCase``, ``aiounittest.AsyncTestCase``.
+_TEST = "TestCase"
+#: Lists in lists that are looked into for what is given, and values that are looked at.
+DEEP, MOST = 3, 300
 #: How the first part of a name begins whose library is known: packages of several namespaces or modules.
 _BEGINNINGS = ("rclcpp_", "rviz_", "rqt_")
 #: A class, namespace or module of Qt (doc.qt.io): QObject, QSGNode, Qt::, QtWidgets.
@@ -47,7 +50,7 @@ def among(frame: Frame, args: Iterable[PassedArgument]) -> list[Value]:
     """The classes and objects among *args*, in Python also in lists, tuples and dictionaries (``Application([("/x", Handler)])``)."""
     depth = DEEP if frame.source.separator == "." else 0
     every = (value for argument in args for value in _held(argument.value, depth))
-    return [value for value in every if isinstance(value, (ClassValue, Object))]
+    return [value for value in islice(every, MOST) if isinstance(value, (ClassValue, Object))]
 
 
 def taken(walk: Walk, frame: Frame, name: str, found: Iterable[Value]) -> None:
@@ -68,7 +71,7 @@ def _held(value: Value, depth: int) -> Iterator[Value]:
     yield value
     content = value.content.value if depth and isinstance(value, (Sequence, Mapped)) else ()
     cells = content.values() if isinstance(content, dict) else content if isinstance(content, tuple) else ()
-    for cell in list(cells)[:MOST]:
+    for cell in cells:
         yield from _held(cell.value, depth - 1)
 
 
@@ -185,6 +188,8 @@ def _callable_python(walk: Walk, source: Source, definition: syntax.Class) -> li
     bases = _calling_bases(walk, source, definition)
     firsts = {base.partition(".")[0] for base in bases}
     if not bases or firsts & KNOWN_PYTHON or any(base in walk.rows or is_known(base) for base in bases):
+        return []
+    if any(base.endswith(_TEST) for base in bases):
         return []
     own = list(_methods(walk, source, definition))
     called = frozenset[str]().union(*(walk.relevance.calls_of(function, where) for where, function in own))
