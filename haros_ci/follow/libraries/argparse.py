@@ -218,8 +218,8 @@ def _launched(walk: Walk, frame: Frame, this: Object) -> Value | None:
         read = [_read(this, words) for words in walk.context.lines()]
     except (ValueError, TypeError, KeyError, IndexError, AttributeError):
         return None
-    told = [{key: data for key, data in space.items() if id(data) not in kept} for space, _, kept in read]
-    if not read or told != told[:1] * len(told):
+    known = [{key: data for key, data in space.items() if id(data) not in kept} for space, _, kept in read]
+    if not read or known != known[:1] * len(known):
         return None
     space, _, kept = read[0]
     made = Object("argparse.Namespace", fields={key: Cell(_value(data, kept)) for key, data in space.items()})
