@@ -26,6 +26,13 @@ Exact = Function_[
 
 #: Why a word of the command line is not known.
 NO_WORD = "a part of the command line is not known"
+#: What roslaunch may add to the words of a node (wiki.ros.org/roslaunch/XML/node), and launch_ros (launch_ros/actions/node.py).
+ADDED = ((), ("__name:=x", "__log:=/x"))
+ADDED_BY_LAUNCH = (
+    (),
+    ("--ros-args",),
+    ("--ros-args", *(word for flag in ("-r", "-p", "--params-file", "--log-level") for word in (flag, "x"))),
+)
 
 
 @dataclass(slots=True)
@@ -35,7 +42,7 @@ class Context:
     name: str
     namespace: str
     arguments: tuple[str, ...] | None
-    #: Whether roslaunch starts the node, which adds words to its command line.
+    #: Whether a launch file starts the node, which adds words to its command line.
     is_launched: bool = field(default=False, kw_only=True)
     #: Whether *parameter* knows what is set below the node's name, though a part of that is not known.
     has_own: bool = field(default=False, kw_only=True)
@@ -78,6 +85,12 @@ class Context:
     def words(self) -> list[Value]:
         """The words of the command line behind the program's name; none where they are not known."""
         return [Opaque(NO_WORD) if PART in word else Known(word) for word in self.arguments or ()]
+
+    def lines(self) -> list[list[str]]:
+        """The words of a program that a launch file starts with each of those that this may add; none where they are not known."""
+        words = [] if self.arguments is None or not self.is_launched else [list(self.arguments)]
+        added = ADDED if self.process is None else ADDED_BY_LAUNCH
+        return [[*own, *more] for own in words if PART not in "".join(own) for more in added]
 
     def is_asked(self, name: str) -> bool:
         """Whether it is known which parameter a full name is: all of it is, or all that stands behind the node's own name."""

@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+import re
+
 from haros_ci import syntax
 from haros_ci.follow import bases, call_arguments, lookup, methods
 from haros_ci.follow.frames import Frame
@@ -11,7 +13,7 @@ from haros_ci.index.index import Source
 from haros_ci.index.types import pointee
 from haros_ci.model.location import Location
 from haros_ci.syntax import Class, Function, Statement
-from haros_ci.values.abstract import Callable, Cell, Known, Object, Opaque, Text, Value
+from haros_ci.values.abstract import Callable, Cell, Known, Library, Object, Opaque, Text, Value
 
 FUNCTIONS = frozenset(("()", "std::function", "boost::function"))
 
@@ -20,6 +22,15 @@ IMPORTS = frozenset(("__import__", "importlib.import_module"))
 IMPORTED = "it is imported by a name that is not known"
 #: Modules that are generated: what is in them only carries data.
 INTERFACES = ("msg", "srv", "action")
+#: Functions that give the class of a message, service or action by its name, and the module that it is in where the name has none
+#: (rosidl_runtime_py/utilities.py, roslib/message.py).
+CLASSES = {
+    **{f"rosidl_runtime_py.utilities.get_{word}": "" for word in ("message", "service", "action", "interface")},
+    "roslib.message.get_message_class": "msg",
+    "roslib.message.get_service_class": "srv",
+}
+#: The name of an interface, with or without its module.
+_INTERFACE = re.compile(r"([a-z][a-z0-9_]*)/(?:(msg|srv|action)/)?([A-Z][A-Za-z0-9]*)", re.ASCII)
 
 
 def as_declared(
@@ -135,6 +146,14 @@ def module(walk: Walk, frame: Frame, name: str, args: tuple[call_arguments.Passe
     if isinstance(tail, str) and tail.endswith(tuple(f".{kind}" for kind in INTERFACES)):
         return None
     return walk.opaque(IMPORTED, frame) if args else None
+
+
+def interface(name: str, args: tuple[call_arguments.PassedArgument, ...]) -> Library | None:
+    """The class that one of ``CLASSES`` gives for a name that is known."""
+    given = args[0].value if len(args) in (1, 2) else None
+    found = _INTERFACE.fullmatch(given.of(str)) if isinstance(given, Known) and issubclass(given.kind, str) else None
+    module = (found[2] or CLASSES[name]) if found is not None else ""
+    return Library(f"{found[1]}.{module}.{found[3]}") if found is not None and module else None
 
 
 def of_module(walk: Walk, value: Opaque, name: Value, frame: Frame) -> Value:

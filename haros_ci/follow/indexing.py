@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from haros_ci import syntax
-from haros_ci.follow import activation, assignments, braces, call_arguments, dispatch, methods, slices, thrown
+from haros_ci.follow import activation, assignments, braces, call_arguments, dispatch, enums, methods, slices, thrown
 from haros_ci.follow.frames import Frame, of_element
 from haros_ci.follow.libraries import texts, tuples
 from haros_ci.follow.walk import Walk
@@ -16,7 +16,9 @@ from haros_ci.values.abstract import (
     UNSET,
     UNSET_OR_INHERITED,
     Choice,
+    ClassValue,
     Known,
+    Library,
     Mapped,
     Object,
     Opaque,
@@ -50,6 +52,8 @@ def indexed(walk: Walk, frame: Frame, expression: syntax.Subscript) -> Value:  #
                 thrown.throws(walk, thrown.KEY if isinstance(container.value, dict) else thrown.INDEX)
             elif isinstance(container.value, (dict, list)):
                 return NONE  # yaml-cpp: an undefined node
+    if isinstance(container, (ClassValue, Library)) and (member := enums.named(walk, container, key)) is not None:
+        return member
     if isinstance(container, Object) and (part := _of_object(walk, frame, container, key)) is not None:
         return part
     if isinstance(container, Mapped) and frame.source.separator == ".":

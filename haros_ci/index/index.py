@@ -128,10 +128,15 @@ class Index:
                 return nearest
         return []
 
-    @staticmethod
-    def _may_be_here(other: Source, source: Source, files: frozenset[str]) -> bool:
-        """Whether a name of a library can be what *other* defines: a mock in a source file is that of its own program only."""
-        return other.path.endswith(HEADERS) or other.path == source.path or other.path in files
+    def _may_be_here(self, other: Source, source: Source, files: frozenset[str]) -> bool:
+        """Whether a name of a library can be what *other* defines.
+
+        A mock in a source file is that of its own program only, and a header that nothing of the program includes is of another
+        one: rosserial's ``ros_lib`` for a microcontroller has classes of the names that roscpp's have.
+        """
+        if other.path == source.path or other.path in files:
+            return True
+        return other.path.endswith(HEADERS) and any(other.path in self.reach(path) for path in (source.path, *files))
 
     def _of_a_class(self, entity: object) -> bool:
         return isinstance(entity, Function) and entity.owner in self.classes

@@ -43,6 +43,8 @@ class Started:
     has_plugins: bool = False
     #: Whether, of a behaviour tree that is not known, the nodes of every tree of the workspace are.
     has_trees: bool = False
+    #: Whether a launch file starts it: launch adds words to its command line.
+    is_launched: bool = False
 
 
 def run_process(types: Types, entry: Entry, files: frozenset[str], started: Started, node: Node) -> Followed:
@@ -77,7 +79,14 @@ def _shared(
 
     Where it *is_exact* there are no marks.
     """
-    kinds = (started.is_component, started.has_plugins, started.has_trees, started.around, is_exact)
+    kinds = (
+        started.is_component,
+        started.has_plugins,
+        started.has_trees,
+        started.around,
+        started.is_launched,
+        is_exact,
+    )
     key = (2, entry.key, files_key(files), started.rules, started.words, *kinds)
     earlier = types.followed.setdefault(key, [])
     marks = Marks(names)
@@ -119,6 +128,7 @@ def _shared(
         name="",
         namespace="/",
         arguments=words,
+        is_launched=started.is_launched,
         plugins=types.plugins,
         declared=types.declared,
         of_base=types.of_base if started.has_plugins else None,

@@ -116,7 +116,9 @@ def started_by(node: LaunchedNode) -> Started:
         around = _naming(node.container)
     written = ros2_rules((*more.rules, *message.rules), node.rules, node.location)
     words = with_parts(node.arguments, more.rest)
-    return Started(rules, Parameters(node.parameters), words, node.kind == "component", written, around)
+    return Started(
+        rules, Parameters(node.parameters), words, node.kind == "component", written, around, is_launched=True
+    )
 
 
 def _naming(full: str) -> tuple[RemappingRule, ...]:

@@ -58,6 +58,27 @@ CPP = cpp_files(main('ADV("chatter", 1);'))
 PYTHON = python_files(script('PUB("chatter")\n'))
 MOCK = "namespace ros {\nclass NodeHandle { public: template<class M> int advertise(const std::string& name, int size) { return 0; } };\n}\n"
 
+#: ``ros_lib`` of rosserial, for the firmware of a microcontroller (rosserial_client/src/ros_lib/ros/subscriber.h).
+ROS_LIB = """
+namespace ros {
+template<typename MsgT, typename ObjT = void> class Subscriber : public Subscriber_ { public:
+  Subscriber(const char * topic_name, void (ObjT::*cb)(const MsgT&), ObjT* obj) { advertise(topic_name); }
+};
+template<typename MsgT> class Subscriber<MsgT, void> : public Subscriber_ { public:
+  Subscriber(const char * topic_name, void (*cb)(const MsgT&)) { advertise(topic_name); }
+};
+class Publisher { public: Publisher(const char* topic_name, Msg* msg) { advertise(topic_name); } int publish(const Msg* msg); };
+}
+"""
+MEMBERS = """class Talker { public:
+  Talker() { sub_ = nh_.subscribe("in", 1, &Talker::heard, this); pub_ = nh_.advertise<std_msgs::String>("out", 1); }
+  void heard(const std_msgs::String::ConstPtr& msg) {}
+  ros::NodeHandle nh_;
+  ros::Subscriber sub_;
+  ros::Publisher pub_;
+};
+"""
+
 
 def published(found: Architecture) -> set[tuple[str, str, str]]:
     """The configuration, name and type of what nodes of the package ``p`` publish."""
@@ -95,6 +116,28 @@ def test_a_mock_of_a_library_class_in_a_test_of_the_same_package_is_not_the_clas
     files = CPP | {"p/test/mock.cpp": MOCK}
     files["p/CMakeLists.txt"] += "catkin_add_gtest(p_test test/mock.cpp)\n"
     assert published(follow(files, 1)) == published(follow(CPP, 1))
+
+
+@pytest.mark.parametrize(
+    "place",
+    [
+        "firmware/ros_lib/ros/subscriber.h",
+        "p/arduino/libraries/ros_lib/ros/subscriber.h",
+        "p/src/ros_lib/ros/subscriber.h",
+        "p/include/p/mock.h",
+    ],
+)
+def test_a_header_that_the_program_does_not_include_has_no_class_of_a_library(place: str) -> None:
+    files = cpp_files(main("Talker talker;", MEMBERS))
+    alone, beside = (follow(found, 1).configurations[0].nodes[0] for found in (files, files | {place: ROS_LIB}))
+    assert {end.name for end in beside.endpoints if not end.implicit} >= {"/in", "/out"}
+    assert beside.endpoints == alone.endpoints
+    assert beside.unknowns == alone.unknowns
+
+
+def test_a_header_that_a_header_of_the_program_includes_has_it() -> None:
+    files = cpp_files('#include "a.h"\n' + main('ADV("chatter", 1);'), a__h='#include "mock.h"\n', mock__h=MOCK)
+    assert published(follow(files, 1)) == set()
 
 
 def test_a_mock_that_the_program_includes_is_the_class() -> None:

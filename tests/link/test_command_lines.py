@@ -88,3 +88,33 @@ def test_options_that_are_not_known(head: str, words: str, why: str) -> None:
 
 def test_a_program_alone_is_started_without_words() -> None:
     assert names(python(HEAD + "PUB(o.topic)\n")) == ["/a"]
+
+
+PARTLY = HEAD.replace("o = p.parse_args(rospy.myargv()[1:])", "o, rest = p.parse_known_args()").replace(
+    'p.add_argument("station", nargs="?", default="home")\n', ""
+)
+
+
+@pytest.mark.parametrize(("words", "expected"), [("", ["/a"]), ("-t b", ["/b"]), ("--topic=b left", ["/b"])])
+def test_words_that_roslaunch_adds_are_left_over(words: str, expected: list[str]) -> None:
+    launch = f'<launch><node pkg="p" type="n.py" name="n" args="{words}"/></launch>'
+    assert names(python(PARTLY + "PUB(o.topic)\n", launch)) == expected
+
+
+@pytest.mark.parametrize(
+    ("before", "words"),
+    [
+        ('p.add_argument("where", nargs="?")\n', ""),
+        ('p.add_argument("where", nargs="*")\n', "a"),
+        ('p.add_argument("--only2", nargs="*")\n', "--only2 a"),
+        ('p.add_argument("needed")\n', ""),
+        ("p.allow_abbrev = other()\n", "$(env HOME_OF)"),
+    ],
+)
+def test_words_that_roslaunch_adds_may_be_an_option(before: str, words: str) -> None:
+    launch = f'<launch><node pkg="p" type="n.py" name="n" args="{words}"/></launch>'
+    assert names(python(PARTLY.replace("o, rest", before + "o, rest") + "PUB(o.topic)\n", launch)) == ["/?"]
+
+
+def test_a_program_alone_may_be_given_words() -> None:
+    assert names(python(PARTLY + "PUB(o.topic)\n")) == ["/?"]

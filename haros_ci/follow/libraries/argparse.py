@@ -112,7 +112,7 @@ def _declared(walk: Walk, declared: Sequence, name: str, args: tuple[PassedArgum
 
 def _options(walk: Walk, frame: Frame, this: Object, args: tuple[PassedArgument, ...], is_partly: bool) -> Value:
     """What ``parse_args`` gives, and with it what is left over if *is_partly*."""
-    found = _parsed(this, args, is_partly)
+    found = _parsed(this, args, is_partly) if args or not is_partly else _launched(walk, frame, this)
     if found is not None:
         return found
     options = _unread(walk, frame, this)
@@ -210,6 +210,20 @@ def _parsed(this: Object, args: tuple[PassedArgument, ...], is_partly: bool) -> 
     if not is_partly:
         return made
     return Sequence(Cell((Cell(made), Cell(_value(rest, kept)))))
+
+
+def _launched(walk: Walk, frame: Frame, this: Object) -> Value | None:
+    """``parse_known_args()`` of a program that a launch file starts: what launch adds to its words is left over. None if that is not certain."""
+    try:
+        read = [_read(this, words) for words in walk.context.lines()]
+    except (ValueError, TypeError, KeyError, IndexError, AttributeError):
+        return None
+    known = [{key: data for key, data in space.items() if id(data) not in kept} for space, _, kept in read]
+    if not read or known != known[:1] * len(known):
+        return None
+    space, _, kept = read[0]
+    made = Object("argparse.Namespace", fields={key: Cell(_value(data, kept)) for key, data in space.items()})
+    return Sequence(Cell((Cell(made), Cell(walk.opaque("the words that are left over are not known", frame)))))
 
 
 def _words(value: Value) -> list[Value] | None:

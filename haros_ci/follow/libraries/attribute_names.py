@@ -9,12 +9,26 @@ from haros_ci.follow import comprehensions, members, methods
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.walk import Walk
 from haros_ci.syntax import Class
-from haros_ci.values.abstract import Callable, Cell, ClassValue, Known, Object, Sequence, Text, Value, join
+from haros_ci.values.abstract import (
+    NONE,
+    Callable,
+    Cell,
+    ClassValue,
+    Known,
+    Object,
+    Pointer,
+    Sequence,
+    Text,
+    Value,
+    join,
+)
 
 #: Methods of one object that a name that is known in part may mean.
 MOST = 50
 #: Classes that a class is derived from.
 DEEP = 100
+#: Why an attribute that ``setattr`` makes is not known on the paths that do not come there.
+UNSET = "it is not set before"
 #: The function, and what of it keeps methods alone (docs.python.org/3/library/inspect.html#inspect.getmembers).
 MEMBERS = "inspect.getmembers"
 FUNCTIONS = frozenset(("inspect.ismethod", "inspect.isfunction", "inspect.isroutine", "callable"))
@@ -53,6 +67,21 @@ def possible(walk: Walk, value: Value, name: Value, default: tuple[Value, ...], 
     found = [members.attribute(walk, value, item, frame) for item in fitting if len(item) >= len(start) + len(end)]
     called = [item for item in found if isinstance(item, Callable)]
     return reduce(join, (*called, *default)) if called and len(called) == len(found) <= MOST else None
+
+
+def assigned(walk: Walk, owner: Value, name: Value, value: Value, frame: Frame) -> Value | None:
+    """``setattr(owner, name, value)`` with a computed *name* that is known, of an object of the workspace; None of anything else."""
+    this = owner.cell.value if isinstance(owner, Pointer) else owner
+    if not isinstance(this, Object) or this.definition is None or not isinstance(name, Known) or name.kind is not str:
+        return None
+    text = name.of(str)
+    if methods.method_of(walk, this, text) is not None:  # a property, or a method of this object alone
+        return None
+    cell = members.own_cell(walk, this, text, frame)
+    if cell is None:
+        cell = this.fields[text] = Cell(walk.opaque(UNSET, frame))
+    walk.state.write(cell, value)
+    return NONE
 
 
 def _names(walk: Walk, value: Value) -> list[str] | None:

@@ -5,16 +5,17 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
+from itertools import islice
 from typing import TYPE_CHECKING
 
 from haros_ci import syntax
-from haros_ci.follow import callbacks, construct, linear, methods, properties, uncalled
+from haros_ci.follow import callbacks, construct, linear, methods, partials, properties, uncalled
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.ros import ros2_nodes
 from haros_ci.follow.walk import Walk
 from haros_ci.index.index import Source
 from haros_ci.model.location import Location
-from haros_ci.values.abstract import Callable, ClassValue, Object, Pointer, Value
+from haros_ci.values.abstract import Callable, ClassValue, Mapped, Object, Pointer, Sequence, Value
 
 if TYPE_CHECKING:
     from haros_ci.follow.call_arguments import PassedArgument
@@ -35,37 +36,69 @@ _BESIDE = frozenset("std boost object abc ABC typing typing_extensions dataclass
 PROCESSES = frozenset(
     ("multiprocessing.Process", "multiprocessing.context.Process", "multiprocessing.process.BaseProcess")
 )
+#: How the names of base classes end whose methods are tests: ``asynctest.TestCase``, ``aiounittest.AsyncTestCase``.
+_TEST = "TestCase"
+#: Lists in lists that are looked into for what is given, and values that are looked at.
+DEEP, MOST = 3, 300
 #: How the first part of a name begins whose library is known: packages of several namespaces or modules.
 _BEGINNINGS = ("rclcpp_", "rviz_", "rqt_")
 #: A class, namespace or module of Qt (doc.qt.io): QObject, QSGNode, Qt::, QtWidgets.
 _QT = re.compile(r"Qt(?:[A-Z]|$)|Q(?:[A-Z][a-z]|SG|GL)")
 
 
-def taken(walk: Walk, frame: Frame, name: str, args: Iterable[PassedArgument]) -> None:
-    """Follow what the function or method *name* may do with the classes of nodes, and with the objects, among *args*."""
-    for argument in args:
-        value = argument.value.cell.value if isinstance(argument.value, Pointer) else argument.value
+def among(frame: Frame, args: Iterable[PassedArgument]) -> list[Value]:
+    """The classes and objects among *args*, in Python also in lists, tuples and dictionaries (``Application([("/x", Handler)])``)."""
+    depth = DEEP if frame.source.separator == "." else 0
+    every = (value for argument in args for value in _held(argument.value, depth))
+    return [value for value in islice(every, MOST) if isinstance(value, (ClassValue, Object))]
+
+
+def taken(walk: Walk, frame: Frame, name: str, found: Iterable[Value]) -> None:
+    """Follow what the function or method *name* may do with the classes and objects that it is given."""
+    for value in found:
+        args: tuple[PassedArgument, ...] = ()
+        if isinstance(value, Object) and value.name == partials.PARTIAL:
+            value, args = partials.called(value, ())
         if isinstance(value, ClassValue):
-            _made(walk, frame, name, value)
+            _made(walk, frame, name, value, args)
         elif isinstance(value, Object) and value.definition is not None:
-            _called(walk, name, value)
+            _called(walk, value, f"{name} is not known, which is given the object and may call it")
 
 
-def _made(walk: Walk, frame: Frame, name: str, value: ClassValue) -> None:
-    """A node's class is for nothing else than to be made (``process.spin(Driver)``); how often, and whether, is not known."""
+def _held(value: Value, depth: int) -> Iterator[Value]:
+    """A value that is given, and of a list, tuple or dictionary what it holds."""
+    value = value.cell.value if isinstance(value, Pointer) else value
+    yield value
+    content = value.content.value if depth and isinstance(value, (Sequence, Mapped)) else ()
+    cells = content.values() if isinstance(content, dict) else content if isinstance(content, tuple) else ()
+    for cell in cells:
+        yield from _held(cell.value, depth - 1)
+
+
+def _made(walk: Walk, frame: Frame, name: str, value: ClassValue, args: tuple[PassedArgument, ...]) -> None:
+    """A node's class is for nothing else than to be made (``process.spin(Driver)``); how often, and whether, is not known.
+
+    So is one whose base class is a library's, and of which that library may call methods (``HTTPServer(address, Handler)``).
+    """
     owner = (value.source, value.definition)
     key = ("made elsewhere", id(value.definition))
-    if walk.quiet or key in walk.offered or ros2_nodes.NODE["."] not in methods.library_bases(walk, *owner):
+    if walk.quiet or key in walk.offered:
+        return
+    is_node = ros2_nodes.NODE["."] in methods.library_bases(walk, *owner)
+    if not is_node and (value.source.separator != "." or not any(_overridden(walk, Object("", definition=owner)))):
         return
     walk.offered.add(key)
-    with walk.doubted(f"{name} is not known, which is given the class and may make a node of it"):
-        construct.instance(walk, frame, owner, (), (), Location(value.source.path, value.definition.line))
+    reason = f"{name} is not known, which is given the class and may make {'a node' if is_node else 'an object'} of it"
+    with walk.doubted(reason):
+        made = construct.instance(walk, frame, owner, (), args, Location(value.source.path, value.definition.line))
+    if not is_node and isinstance(made, Object):
+        _called(walk, made, f"{reason} and call that")
 
 
-def _called(walk: Walk, name: str, this: Object) -> None:
+def _called(walk: Walk, this: Object, reason: str) -> None:
     """An object whose base class is not in the workspace is called by the library that has that class."""
     for found, base in _overridden(walk, this):
-        doubt = f"{name} is not known, which is given the object and may call it by its base class {base}"
+        doubt = f"{reason} by its base class {base}"
         if found.source.separator == "::":
             callbacks.register(walk, found, doubt=doubt)
         else:
@@ -116,7 +149,7 @@ def started(walk: Walk, name: str, this: Object) -> None:
         if run is not None and walk.relevance.makes(run.function, run.source):
             reason = f"{definition.name} is a process of its own: what that makes is told of the node that starts it"
             walk.gaps.setdefault(reason, Location(run.source.path, run.function.line))
-    _called(walk, name, this)
+    _called(walk, this, f"{name} is not known, which is given the object and may call it")
 
 
 def is_known(base: str) -> bool:
@@ -155,6 +188,8 @@ def _callable_python(walk: Walk, source: Source, definition: syntax.Class) -> li
     bases = _calling_bases(walk, source, definition)
     firsts = {base.partition(".")[0] for base in bases}
     if not bases or firsts & KNOWN_PYTHON or any(base in walk.rows or is_known(base) for base in bases):
+        return []
+    if any(base.endswith(_TEST) for base in bases):
         return []
     own = list(_methods(walk, source, definition))
     called = frozenset[str]().union(*(walk.relevance.calls_of(function, where) for where, function in own))

@@ -121,10 +121,13 @@ def unknown_call(
         callbacks.register(walk, argument.value, args)
     beside.note(walk, *(argument.value for argument in args))
     unknown_calls.called(walk, frame, name, args)
+    held = given_away.among(frame, args)  # before what is given is forgotten
     unknown_calls.forget_passed(walk, frame, name, args)
     if not harmless.is_harmless(name, is_python):
         ros2_nodes.handed(walk, name, (argument.value for argument in args))
-        given_away.taken(walk, frame, name, args)
+        given_away.taken(walk, frame, name, held)
+    elif name.startswith("super()."):  # of a library's class, which leaves alone what it is given, but knows it
+        given_away.taken(walk, frame, name, held)
     if isinstance(receiver, Opaque):
         return Opaque(receiver.reason, receiver.location)
     return walk.opaque(f"what {name} returns is not known", frame)

@@ -154,6 +154,8 @@ def function(walk: Walk, frame: Frame, name: str, args: tuple[PassedArgument, ..
         return argv(walk, frame, name == "rospy.myargv")
     if name in dynamic.IMPORTS:
         return dynamic.module(walk, frame, name, args)
+    if name in dynamic.CLASSES:
+        return dynamic.interface(name, args)
     if name == "getattr" and len(args) >= 2 and isinstance(first, Opaque) and first.reason == dynamic.IMPORTED:
         return dynamic.of_module(walk, first, args[1].value, frame)
     if name == "object.__getattribute__" and len(args) == 2:
@@ -162,6 +164,8 @@ def function(walk: Walk, frame: Frame, name: str, args: tuple[PassedArgument, ..
         return members.attribute(walk, args[0].value, str(args[1].value.value), frame)
     if name == "getattr" and len(args) >= 2 and first is not None:
         return attribute_names.possible(walk, first, args[1].value, tuple(a.value for a in args[2:]), frame)
+    if name == "setattr" and len(args) == 3 and first is not None:
+        return attribute_names.assigned(walk, first, args[1].value, args[2].value, frame)
     if name == "callable" and isinstance(first, (Callable, ClassValue, Known, Text, Sequence, Mapped)):
         return Known(isinstance(first, (Callable, ClassValue)))
     if name == "dir" and len(args) == 1 and first is not None:
@@ -184,13 +188,18 @@ def _own_attribute(walk: Walk, frame: Frame, this: Value, name: Value) -> Value 
     return found
 
 
+#: Words that come behind those of the launch file (launch_ros/actions/node.py has ``--ros-args`` in each command).
+_ADDED = ("roslaunch", ("__name:=", "__log:="))
+_ADDED_BY_LAUNCH = ("launch", ("--ros-args", "-r"))
+
+
 def argv(walk: Walk, frame: Frame, is_own: bool = False) -> Value:
-    """The command line of the launch file, with the two words that a launch adds (wiki.ros.org/roslaunch/XML/node); else that of a node without words.
+    """The command line of the launch file, with words that a launch adds (wiki.ros.org/roslaunch/XML/node); else that of a node without words.
 
     ``rospy.myargv`` is without them, and without all other remappings.
     """
     context = walk.context
-    is_launched = context.is_launched or context.process is not None
+    is_launched = context.is_launched
     is_other = bool(walk.ruled_out() or walk.beyond or frame.is_dead)
     if context.arguments is None or (is_other and not is_launched):
         return Opaque("the command line")
@@ -198,9 +207,8 @@ def argv(walk: Walk, frame: Frame, is_own: bool = False) -> Value:
     if is_own:
         words = [word for word in words if not (isinstance(word, Known) and ":=" in word.of(str))]
     elif is_launched:
-        words += [
-            Opaque(f"it is {word}, which roslaunch gives", None, syntax.Type("str")) for word in ("__name:=", "__log:=")
-        ]
+        program, added = _ADDED if context.process is None else _ADDED_BY_LAUNCH
+        words += [Opaque(f"it is {word}, which {program} gives", None, syntax.Type("str")) for word in added]
     return Sequence(Cell(tuple(Cell(word) for word in words)))
 
 

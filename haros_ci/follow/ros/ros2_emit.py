@@ -225,7 +225,7 @@ def _parameter(  # noqa: C901 - one branch for each way to declare a parameter
                 NO_DEFAULT, applied.location
             )  # without a value from outside the declaration or reading throws
         ros2_parameters.remember(applied, full, stored if stored is not None else NONE)
-    return value
+    return ros2_parameters.while_running(applied, entry, full, value)
 
 
 def _is_undeclared(applied: Applied, node: RosNode | None, name: str, value: Value | None) -> bool:

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from haros_ci.follow.made import MadeEntity
     from haros_ci.follow.ros.selectors import Applied
     from haros_ci.follow.walk import Walk
+    from haros_ci.model.api import Entry
 
 #: The type that a parameter has which is read so (rclcpp/parameter.hpp), or by that member (rcl_interfaces/ParameterValue).
 READ_AS = {
@@ -47,6 +48,8 @@ READ_BY = frozenset(("get_value", "get"))
 BY_ITSELF = ("qos_overrides.", "start_type_description_service")
 #: The class of what ``get_parameter`` returns.
 PARAMETER = "rclcpp::Parameter"
+#: Why it is not known what a callback reads that holds a switch.
+SWITCHED = "it may be set while the node runs"
 #: Marks a parameter of a list: a loop over it asks for the name, and reads it in another way in each branch.
 LISTED = "[listed]"
 
@@ -136,6 +139,18 @@ def remember(applied: Applied, full: str, value: Value) -> None:
         return  # one more under a name that is not known; the others stay as they are
     before = own.get(full) if "?" in name else None  # which may be another one of which the same parts are known
     walk.state.write(walk.declared, {**own, full: Held(join(before.value, value) if before is not None else value)})
+
+
+def while_running(applied: Applied, entry: Entry, full: str, value: Value | None) -> Value | None:
+    """What the node reads: a switch that a callback reads again is there to be set while the node runs, unless it is declared read-only."""
+    walk = applied.walk
+    if entry.kind != "getters" or not walk.is_called_back or not isinstance(value, Known) or value.kind is not bool:
+        return value
+    if full.endswith(f":{ros2_nodes.SIM_TIME}") or any(
+        made.read_only is not False for made in walk.made.values() if made.kind == "parameters" and made.name == full
+    ):
+        return value
+    return Opaque(SWITCHED, applied.location, syntax.Type("bool"))
 
 
 def gotten(applied: Applied, found: list[tuple[Value, Value | None]]) -> Value:

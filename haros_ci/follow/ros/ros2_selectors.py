@@ -110,9 +110,7 @@ def _item(value: Value) -> Mapping[str, Value]:
     if isinstance(value, Pointer):
         value = value.cell.value
     if isinstance(value, Object) and "name" in value.fields:
-        held = value.fields.get("value")
-        found = {"name": value.fields["name"].value}
-        return {**found, "default": held.value} if held is not None else found
+        return _item_of(value.fields)
     parts: list[Value] = []
     if isinstance(value, Sequence) and isinstance(value.content.value, tuple):
         parts = [cell.value for cell in value.content.value]
@@ -126,6 +124,13 @@ def _item(value: Value) -> Mapping[str, Value]:
     if len(parts) > 2:
         found["descriptor"] = parts[2]
     return found
+
+
+def _item_of(fields: Mapping[str, Cell]) -> Mapping[str, Value]:
+    """The item that an object is: rclpy's Parameter has a type, too (rclpy/parameter.py)."""
+    members = {"name": "name", "type": "type_", "default": "value"}
+    found = {key: fields[member].value for key, member in members.items() if member in fields}
+    return found if type_word(found.get("type")) else {key: item for key, item in found.items() if key != "type"}
 
 
 def type_word(value: object) -> str | None:

@@ -14,7 +14,7 @@ from haros_ci.launch.python.heap import LARGEST
 from haros_ci.launch.python.operators import binary
 from haros_ci.launch.python.run import ScriptEvaluation
 from haros_ci.launch.python.sequences import certain, items_of
-from haros_ci.launch.python.text_methods import count, number_of, text
+from haros_ci.launch.python.text_methods import count, literal, number_of, text
 from haros_ci.launch.python.truth import truth
 from haros_ci.launch.python.types import deep_copy, is_instance, parent_class, shallow
 from haros_ci.launch.python.values import (
@@ -282,6 +282,7 @@ BUILTINS: dict[str, Summary] = {
     "callable": is_callable,
     "isinstance": is_instance,
     "open": open_file,
+    "eval": literal,
     "super": parent_class,
     "print": nothing,
     "setattr": nothing,
@@ -295,6 +296,7 @@ SUMMARIES: dict[str, Summary] = {
     "yaml.load": yaml_load,
     "yaml.full_load": yaml_load,
     "yaml.dump": dumped,
+    "ast.literal_eval": literal,
     "json.load": json_load,
     "json.loads": json_load,
     "json.dumps": dumped,

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import ast
 from collections.abc import Callable
 from typing import Any
 
@@ -124,6 +125,20 @@ def number_of(run: ScriptEvaluation, call: LibraryCall) -> Value:
     if isinstance(value, (bool, int, float, str)):
         return run.made(int(value) if call.name == "builtins.int" else float(value), call.location)
     return run.unknown(why(value), call.location)
+
+
+def literal(run: ScriptEvaluation, call: LibraryCall) -> Value:
+    """``eval(text)`` and ``ast.literal_eval(text)`` of a literal; nothing else is evaluated."""
+    value = call.args[0] if call.args else None
+    if not isinstance(value, str) or len(value) > 400:
+        return run.unknown(why(value), call.location)
+    try:
+        made = ast.literal_eval(value)
+        if isinstance(made, (str, bool, int, float, list, tuple, dict, type(None))):
+            return run.made(made, call.location)
+        raise ValueError(value)
+    except (ValueError, SyntaxError, TypeError, MemoryError, RecursionError):
+        return run.unknown(f"what {call.name.removeprefix('builtins.')} gives is not followed", call.location)
 
 
 def text(run: ScriptEvaluation, call: LibraryCall) -> Value:

@@ -211,11 +211,15 @@ CALLS = (
     (f"{N}.get_parameters_by_prefix", "'a'", ""),
     (f"{N}.has_parameter", "'a'", "returns declared(a)"),
     (f"{N}.has_parameter", "name='a'", "returns declared(a)"),
-    (f"{N}.set_parameters", "p", "setters name=item.name value=item.default each=items(0|parameter_list)"),
+    (
+        f"{N}.set_parameters",
+        "p",
+        "setters name=item.name type=item.type value=item.default each=items(0|parameter_list)",
+    ),
     (
         f"{N}.set_parameters_atomically",
         "parameter_list=p",
-        "setters name=item.name value=item.default each=items(0|parameter_list)",
+        "setters name=item.name type=item.type value=item.default each=items(0|parameter_list)",
     ),
     (f"{N}.undeclare_parameter", "'a'", "setters name=a"),
     (f"{N}.add_pre_set_parameters_callback", "f", "calls f"),

@@ -49,6 +49,8 @@ KNOWN = [
     ("next(iter([7, 8]))", "7"),
     ("not None is None", "False"),
     ("1 < 2 < 3 != 4", "True"),
+    ("eval('False') or eval('[1, -2.5, None]')", "[1, -2.5, None]"),
+    ("eval('1' + '0') + 1", "11"),
     ("2 ** 10 // 3 % 7 | 8", "13"),
 ]
 
@@ -59,12 +61,27 @@ def test_known_values(expression: str, text: str) -> None:
     assert value_of(expression, files=files, environment={"HOME_OF": "h", "A": ""}) == (text,)
 
 
+@pytest.mark.parametrize(
+    ("text", "known"), [("{'a': 1}", "{'a': 1}"), ("'x'", "x"), ("None", "None"), ("f()", ""), ("1j", "")]
+)
+def test_literals(text: str, known: str) -> None:
+    found = value_of(f"ast.literal_eval({text!r})", "import ast")
+    assert found == (known,) if known else unknowns(found) == ["what ast.literal_eval gives is not followed"]
+
+
 UNKNOWN = [
     "os.environ['MODEL']",
     "os.getenv('MODEL')",
     "os.path.expanduser('~/x')",
     "__import__('os').getcwd()",
-    "eval('1')",
+    "eval('os')",
+    "eval('f()')",
+    "eval('true')",
+    "eval('2 ** 9')",
+    "eval('[' * 300)",
+    "eval('1,' * 300)",
+    "eval(\"__import__('os').getcwd()\")",
+    "eval(os.environ['MODEL'])",
     "exec('1')",
     "open('/etc/passwd').read()",
     "open('../x').read()",
