@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Conditions on versions that cppcheck is given an answer to which compilers do not give.
+"""Conditions on versions to which cppcheck has an answer that compilers do not give.
 
-It is told that every library is as new as a test asks for, and that the compiler is GCC 13.2 (:mod:`ros_macros`). A version that no library has
+For cppcheck every library is as new as a test asks for, and the compiler is GCC 13.2 (:mod:`ros_macros`). A version that no library has
 makes the other branch the one that is compiled; so does a test that another GCC of the platforms of ROS answers otherwise.
 """
 
@@ -12,8 +12,8 @@ from collections.abc import Iterator
 from itertools import islice
 from typing import NamedTuple
 
-from haros_ci.index.preprocessor_conditions import holds
 from haros_ci.linters.ros_macros import PLATFORM, TRUE_TESTS, VERSION_NUMBERS
+from haros_ci.model.preprocessor_conditions import holds
 
 _DIRECTIVE = re.compile(r"^[ \t]*(?:#|%:)[ \t]*(if|ifdef|ifndef|elif|elifdef|elifndef|else|endif)\b([^\n]*)", re.M)
 _TEST = re.compile(rf"\b({'|'.join((*TRUE_TESTS, *VERSION_NUMBERS))})\s*\(([^()]*)\)")
