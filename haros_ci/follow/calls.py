@@ -214,6 +214,9 @@ def method_call(  # noqa: C901 - one branch for each kind of receiver, in the or
         found = api_rows.call(walk, frame, f"{of}::{name}", Object(of, namespace=space), args, targs, location)
         if found is not None:
             return found
+    of_object = library_calls.of_object(walk, frame, receiver, name, args, targs, location)
+    if of_object is not None:
+        return of_object
     function = members.attribute(walk, receiver, name, frame)
     return apply(walk, frame, function, args, targs, location, syntax.Name(name))
 

@@ -4,7 +4,18 @@
 from __future__ import annotations
 
 from haros_ci import syntax
-from haros_ci.follow import beside, braces, call_arguments, construct, copies, expressions, follow, specialisations
+from haros_ci.follow import (
+    beside,
+    braces,
+    call_arguments,
+    construct,
+    copies,
+    expressions,
+    follow,
+    linear,
+    methods,
+    specialisations,
+)
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import harmless, library
 from haros_ci.follow.libraries import objects as library_objects
@@ -13,7 +24,7 @@ from haros_ci.follow.walk import Walk
 from haros_ci.index.types import MAPS, SEQUENCES, STRINGS, is_smart_pointer
 from haros_ci.model.location import Location
 from haros_ci.syntax import Expression
-from haros_ci.values.abstract import NONE, Callable, Cell, Library, Object, Opaque, Sequence, Value
+from haros_ci.values.abstract import NONE, Callable, Cell, ClassValue, Library, Object, Opaque, Sequence, Value
 
 
 def inherited_call(
@@ -58,6 +69,33 @@ def library_method(
         if found is not None:
             return found
     return None
+
+
+def of_object(
+    walk: Walk,
+    frame: Frame,
+    receiver: Value,
+    name: str,
+    args: tuple[call_arguments.PassedArgument, ...],
+    targs: tuple[syntax.Argument, ...],
+    location: Location,
+) -> Value | None:
+    """Python's ``Class.method(this, ...)``, also as ``type(this).method(this, ...)``: the method *name* that a library's class gives the object which comes first; None for all else."""
+    if frame.source.separator != "." or not args or args[0].keyword or name.startswith("__"):
+        return None
+    this = args[0].value
+    if not isinstance(this, Object):
+        return None
+    if isinstance(receiver, ClassValue):
+        if this.definition is None or methods.class_method(walk, receiver.source, receiver.definition, name):
+            return None
+        above = linear.of_workspace(linear.order(walk, *this.definition))
+        is_one = any(definition is receiver.definition for _, definition in above)
+    elif isinstance(receiver, Library) and receiver.this is None:
+        is_one = receiver.name in library_objects.owners(walk, this)
+    else:
+        return None
+    return library_method(walk, frame, this, name, args[1:], targs, location) if is_one else None
 
 
 #: Functions in which callbacks are called; loops are another matter (``Loop.runs_on``).

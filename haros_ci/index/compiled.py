@@ -11,7 +11,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 
 from haros_ci.index.index import Index
-from haros_ci.index.preprocessor_conditions import LONGEST, holds, is_defined
+from haros_ci.model.preprocessor_conditions import LONGEST, holds, is_defined
 from haros_ci.syntax import Directive
 
 #: Directives of one source file with its headers, headers inside headers, and source files of which a header is asked for.

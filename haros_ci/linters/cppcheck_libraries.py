@@ -11,6 +11,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Mapping
 
+from haros_ci.linters.includes import name_of
 from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Store, Workspace
 from haros_ci.own_sources import OF_LINTERS, digest
@@ -64,7 +65,7 @@ def by_file(
         if not isinstance(marks, list) or not all(isinstance(mark, str) for mark in marks):
             marks = _by_macros(workspace.text(file.path))
         found[file.digest] = marks
-        headers = tuple(directives.get(file.path, ()))
+        headers = tuple(map(name_of, directives.get(file.path, ())))
         included = {name for name, pattern in _HEADERS.items() if any(pattern.match(header) for header in headers)}
         libraries[file.path] = frozenset(included.union(marks) & {*_HEADERS, NO_KEYWORDS})
     if found.keys() - known.keys():

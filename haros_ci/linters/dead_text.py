@@ -24,14 +24,51 @@ _FALSE = re.compile(r"[\s(]*(?:0+[uUlL]*|false|![\s(]*(?:1|true))[\s)]*(?:&&.*)?
 _TRUE = re.compile(r"[\s(]*(?:1[uUlL]*|true|![\s(]*(?:0|false))[\s)]*(?:\|\|.*)?")
 #: Raw texts without an end that are looked for; the text behind more of them is taken as it stands.
 _MOST_OPEN = 16
+#: Lines that go on in the next one ([lex.phases] 2), and the lexemes above where such a splice may stand within them.
+_SPLICE = r"\\[ \t]*\r?\n"
+_SPLICES = re.compile(_SPLICE)
+_GAP = rf"(?:{_SPLICE}){{0,20}}"
+_MAY_BE_RAW = re.compile(rf'R{_GAP}"')
+_UNSPLICED = re.compile(
+    rf"/{_GAP}/(?:{_SPLICE}|[^\n])*|/{_GAP}\*"
+    rf"|(?<!\w)(?:u{_GAP}8|[uUL])?{_GAP}R{_GAP}\"([^()\\\s\"]{{0,16}})\("
+    rf'|"(?:{_SPLICE}|\\.|[^"\\\n])*"?'
+    rf"|'{BEGINS_CHARACTER}(?:{_SPLICE}|\\.|[^'\\\n]){{1,12}}'"
+)
+_ENDS_COMMENT = re.compile(rf"\*{_GAP}/")
 
 
 def dead(text: str) -> tuple[tuple[int, int], ...]:
-    """From and to of what no compiler reads in *text*, in order, without overlaps; linear in its length. Spliced lines are joined before."""
+    """From and to of what no compiler reads in *text*, in order, without overlaps; linear in its length. Spliced lines are to be joined before (:func:`joined`)."""
     if _MAY_HIDE.search(text) is None:
         return ()
     hidden = tuple(_hidden(text))
     return tuple(_joined(sorted((*hidden, *_under_false(text, hidden)))))
+
+
+def joined(text: str) -> str:
+    """*text* with its spliced lines joined, but for those in raw texts, in which a compiler takes that back; linear in its length."""
+    if "\\" not in text or _SPLICES.search(text) is None:
+        return text
+    if _MAY_BE_RAW.search(text) is None:
+        return _SPLICES.sub("", text)
+    parts, at = [], 0
+    for start, end in _raw_texts(text):
+        parts += [_SPLICES.sub("", text[at:start]), text[start:end]]
+        at = end
+    return "".join((*parts, _SPLICES.sub("", text[at:])))
+
+
+def without_raw_texts(text: str) -> str:
+    """*text*, whose lines are joined, with nothing in its raw texts: what looks like a directive there is none."""
+    if _MAY_BE_RAW.search(text) is None:
+        return text
+    parts, at = [], 0
+    for start, end in _hidden(text):
+        if text[start] != "/":
+            parts += [text[at:start], '""']
+            at = end
+    return "".join((*parts, text[at:]))
 
 
 def is_in(at: int, ranges: tuple[tuple[int, int], ...]) -> bool:
@@ -56,6 +93,23 @@ def _hidden(text: str) -> Iterator[tuple[int, int]]:
             else:
                 at = end + len(match[1]) + 2
                 yield match.start(), at
+
+
+def _raw_texts(text: str) -> Iterator[tuple[int, int]]:
+    """From and to of what stands within raw texts of *text*, whose lines are not joined."""
+    at = opened = 0
+    while match := _UNSPLICED.search(text, at):
+        at = match.end()
+        if match[0].startswith("/") and match[0].endswith("*") and _SPLICES.sub("", match[0]) == "/*":
+            end = _ENDS_COMMENT.search(text, at)
+            at = len(text) if end is None else end.end()
+        elif match[1] is not None and opened < _MOST_OPEN:
+            end_at = text.find(f'){match[1]}"', at)
+            if end_at < 0:
+                opened += 1
+            else:
+                yield at, end_at
+                at = end_at + len(match[1]) + 2
 
 
 def _under_false(text: str, hidden: tuple[tuple[int, int], ...]) -> Iterator[tuple[int, int]]:

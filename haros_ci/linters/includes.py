@@ -7,7 +7,7 @@ import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from posixpath import dirname, normpath
 
-from haros_ci.linters.dead_text import dead, is_in
+from haros_ci.linters.dead_text import dead, is_in, joined
 from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Store, Workspace
 from haros_ci.own_sources import OF_LINTERS, digest
@@ -16,8 +16,10 @@ from haros_ci.own_sources import OF_LINTERS, digest
 COMPUTED = "*"
 #: Stands before a name that is only asked for (``__has_include``), or included where no compiler reads it (``#if 0``).
 PROBED = "?"
+#: Stands before one in angle brackets, which is not looked for beside the file.
+ANGLED = "<"
 
-_INCLUDE = re.compile(r'^[ \t]*#[ \t]*(?:include(?:_next)?|import)[ \t]*["<]([^">\n]+)', re.MULTILINE)
+_INCLUDE = re.compile(r'^[ \t]*#[ \t]*(?:include(?:_next)?|import)[ \t]*(?:"([^">\n]+)|(<[^">\n]+))', re.MULTILINE)
 _ANY_INCLUDE = re.compile(
     r"^(?:[ \t\f\v]|/\*(?:[^*\n]|\*(?!/))*\*/)*(?:#|%:|\?\?=)(?:[ \t\f\v]|/\*(?:[^*\n]|\*(?!/))*\*/)*(?:include|import|embed)",
     re.MULTILINE,
@@ -48,18 +50,25 @@ def written(workspace: Workspace, files: Iterable[SourceFile], store: Store) -> 
 def direct(workspace: Workspace, search: Sequence[str]) -> dict[str, tuple[str, ...]]:
     """For every C++ file the files that it includes directly, if all have the *search* directories; not cached."""
     paths = [file.path for file in workspace.files if file.language == "cpp"]
-    return resolve({path: _INCLUDE.findall(workspace.text(path)) for path in paths}, dict.fromkeys(paths, search))
+    names = {path: ["".join(found) for found in _INCLUDE.findall(workspace.text(path))] for path in paths}
+    return resolve(names, dict.fromkeys(paths, search))
+
+
+def name_of(written: str) -> str:
+    """The name of what is *written* in a list, without what stands before it."""
+    return written.removeprefix(PROBED).removeprefix(ANGLED)
 
 
 def resolve(directives: Mapping[str, Sequence[str]], search: Mapping[str, Sequence[str]]) -> dict[str, tuple[str, ...]]:
-    """For every file the files that it includes directly: beside itself, else in its *search* directories."""
+    """For every file the files that it includes directly: beside itself, but for names in angle brackets, else in its *search* directories."""
     resolved = {}
     basenames = {path.rpartition("/")[2] for path in directives}
     for path, names in directives.items():
         hits: dict[str, None] = {}
         for name in names:
-            if name.rpartition("/")[2] in basenames:  # most are headers of other packages or of the system
-                candidates = (_at(place, name) for place in (dirname(path), *search.get(path, ())))
+            if name_of(name).rpartition("/")[2] in basenames:  # most are headers of other packages or of the system
+                beside = () if name.startswith(ANGLED) else (dirname(path),)
+                candidates = (_at(place, name_of(name)) for place in (*beside, *search.get(path, ())))
                 hit = next((candidate for candidate in candidates if candidate in directives), path)
                 if hit != path:
                     hits[hit] = None
@@ -84,7 +93,7 @@ def needs(
     basenames = {path.rpartition("/")[2] for path in directives}
     for path, names in directives.items():
         hits: dict[str, None] = {}
-        for name in (name.removeprefix(PROBED) for name in names):
+        for name in map(name_of, names):
             if name.rpartition("/")[2] in basenames:
                 hits |= dict.fromkeys(_at(place, name) for place in (dirname(path), *search.get(path, ())))
         meant[path] = tuple(hit for hit in hits if hit in directives and hit != path)
@@ -102,9 +111,9 @@ def needs(
 
 def _names(text: str) -> Iterator[str]:
     """What *text* includes, lines that a backslash continues joined."""
-    text = text.replace("\\\r\n", "").replace("\\\n", "") if "\\" in text else text
+    text = joined(text)
     hidden = dead(text)
-    found = [(match[1], is_in(match.start(), hidden)) for match in _INCLUDE.finditer(text)]
+    found = [(match[1] or match[2], is_in(match.start(), hidden)) for match in _INCLUDE.finditer(text)]
     plain = [name for name, _ in found]
     used = {name for name, is_dead in found if not is_dead}
     yield from (name for name in plain if name in used)

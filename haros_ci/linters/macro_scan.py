@@ -29,8 +29,18 @@ _AFTER_A_VALUE = re.compile(r"\s*(?:[-(),;.=!?|&+*/<>}\]^%]|:(?!:))")
 _CALL = re.compile(r"\b[A-Z][A-Z0-9]*_[A-Z0-9_]*[A-Z0-9](?=[ \t]*\()")
 _GAP = re.compile(r"(?:\s+|//[^\n]*|/\*(?:[^*]|\*(?!/)){0,4000}\*/)*")
 _BRACKET = re.compile(r"[()\"';{}]")
+_DIRECTIVE = re.compile(r"(?:#|%:)(?:[^\n\\]|\\\r?\n|\\.)*")
+#: What may stand behind the parameters of a function, and words that are operators ([lex.digraph]).
+_GOES_ON = re.compile(
+    r"(?:noexcept|const|volatile|override|final|try|requires|mutable|and|or|xor|bitand|bitor|and_eq|or_eq|xor_eq|not_eq|throw|restrict|__restrict)\b"
+)
+#: What stands at the end of the line before where a statement or a declaration has begun: a registration is one of its own.
+_HAS_BEGUN = re.compile(
+    r"(?:[=*&,(+/|^!<?.%~\[-]|\b(?:return|throw|co_return|co_yield|delete|new|case|goto|else|do))[ \t]*\Z|\b(?!public\b|signals\b|slots\b)[a-z]\w*[ \t]*\Z"
+)
 #: The arguments of a registration are no longer than this, in characters, and nest no deeper.
 _LONGEST, _DEEPEST = 2_000, 8
+_MOST_DIRECTIVES = 20
 
 
 def marks(text: str) -> list[str]:
@@ -77,14 +87,15 @@ def _registrations(text: str) -> Iterator[str]:
         if before.lstrip().startswith(("#", "//", "*")):
             continue
         follows = "" if before else _after_call(text, match.end())
-        if follows is None or follows == ";":
+        if follows is None or follows[:1] == ";":
             continue
-        is_one = not before and (not follows or follows.isalpha() or follows in "_#}~[")
+        is_one = not before and (not follows or follows[0].isalpha() or follows[0] in "_}~" or follows[:2] == "[[")
+        is_one = is_one and not _GOES_ON.match(follows) and not _HAS_BEGUN.search(_line_before(text, start))
         yield (REGISTRATION if is_one else NO_REGISTRATION) + match[0]
 
 
 def _after_call(text: str, at: int) -> str | None:
-    """The first character after the arguments that begin at *at*: "" at the end of the text, None without an end."""
+    """What begins after the arguments that begin at *at*, directives aside: "" at the end of the text, None without an end."""
     depth, limit = 0, at + _LONGEST
     while match := _BRACKET.search(text, at, limit):
         at, character = match.end(), match[0]
@@ -100,7 +111,25 @@ def _after_call(text: str, at: int) -> str | None:
             if depth > _DEEPEST:
                 return None
             if depth == 0:
-                gap = _GAP.match(text, at)
-                assert gap is not None
-                return text[gap.end() : gap.end() + 1]
+                return _beginning(text, at)
     return None
+
+
+def _beginning(text: str, at: int) -> str:
+    """The first characters at *at* or behind it that are no blanks, comments and directives; of many directives the next one."""
+    for _ in range(_MOST_DIRECTIVES):
+        gap = _GAP.match(text, at)
+        assert gap is not None
+        at = gap.end()
+        directive = _DIRECTIVE.match(text, at)
+        if directive is None:
+            break
+        at = directive.end()
+    return text[at : at + 20]
+
+
+def _line_before(text: str, start: int) -> str:
+    """The code of the last line before *start* that is not blank, "" for a comment or a directive; of a long one the end."""
+    end = len(text[max(0, start - 2_000) : start].rstrip()) + max(0, start - 2_000)
+    line = text[max(text.rfind("\n", 0, end) + 1, end - 400) : end].partition("//")[0].rstrip()
+    return "" if line.lstrip().startswith(("#", "%:", "*")) or line.endswith("*/") else line

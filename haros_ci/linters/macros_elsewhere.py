@@ -10,7 +10,7 @@ import re
 from collections.abc import Iterable, Iterator
 from typing import NamedTuple
 
-from haros_ci.linters.dead_text import dead, is_in
+from haros_ci.linters.dead_text import dead, is_in, joined
 from haros_ci.linters.meanings import gives_code, is_word_for_a_word
 from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Workspace
@@ -29,6 +29,11 @@ _TESTED = re.compile(
     re.M,
 )
 _WORD = re.compile(r"[A-Za-z_]\w*")
+#: A function with its body: a macro of its name is what is called in its place. Words before brackets that are no functions.
+_FUNCTION = re.compile(
+    r"\b([a-z_]\w*)\)?\s*\((?:[^(){};]|\([^(){};]{0,200}\)){0,400}\)\s*(?:(?:const|noexcept|override|final)\s*){0,4}\{"
+)
+_CONTROL = frozenset("if for while switch catch constexpr sizeof return".split())
 #: What makes a header of a template, with its name; what is put before each source of a target; what a variable is given.
 _CONFIGURED = re.compile(r"\bconfigure_file\s*\(\s*\"?([^\s()\"]{1,400})\"?\s+\"?([^\s()\"]{1,400})\"?", re.I)
 _FORCED = re.compile(
@@ -100,14 +105,16 @@ class MacrosElsewhere:
         """What *file* uses of them, in words, and its meaning: by the headers that it includes, that these do, and that come before it."""
         words: frozenset[str] | None = None
         tested: frozenset[str] = frozenset()
+        defined: frozenset[str] = frozenset()
         for path in self.unseen(file):
             macros = self.look(path).macros
             if macros and words is None:
                 text = without_comments(self._workspace.text(file.path), "c")
                 words = frozenset(_WORD.findall(text))
                 tested = frozenset(one or other for one, other in _TESTED.findall(text))
+                defined = frozenset(_FUNCTION.findall(text)) - _CONTROL
             for macro in macros:
-                if macro.name in (words or ()) and (macro.is_odd or macro.name in tested):
+                if macro.name in (words or ()) and (macro.is_odd or macro.name in tested or macro.name in defined):
                     yield f"the macro {macro.name} of {path}", macro.meaning
 
     def given(self, file: SourceFile) -> list[Macro]:
@@ -156,7 +163,7 @@ class MacrosElsewhere:
         """What the file at *path* includes, and the macros that it defines or takes back."""
         found = self._read.get(path)
         if found is None:
-            text = self._workspace.text(path)
+            text = joined(self._workspace.text(path))
             hidden = dead(text)
             names = (match[1] for match in _INCLUDE.finditer(text) if not is_in(match.start(), hidden))
             macros = self._macros(path, without_comments(text, "c")) if "define" in text or "undef" in text else ()

@@ -58,6 +58,8 @@ def is_word_for_a_word(name: str, words: str) -> bool:
     words = _IDLE.sub(" 0 ", words.replace("\\\n", " ").replace("\\\r\n", " ")).strip()
     if not words:
         return False
+    if opening is not None and _calls_itself(name, words, opening[1]):
+        return True
     if not re.search(r"\w", words):
         return opening is None
     alone = _AROUND.sub("", words)
@@ -69,6 +71,15 @@ def is_word_for_a_word(name: str, words: str) -> bool:
         not behind and not before and word not in parameters and _is_of_the_code(word)
         for before, word, behind in _NAME.findall(words)
     )
+
+
+def _calls_itself(name: str, words: str, parameters: str) -> bool:
+    """Whether a macro with *parameters* stands for a call of what is called as itself, with other arguments ([cpp.rescan])."""
+    if name not in words:
+        return False
+    calls = re.findall(rf"\b{re.escape(name)}\s*\(([^()]*)", words)
+    handed = "".join(parameters.split()).replace("...", "__VA_ARGS__")
+    return any("".join(call.split()) != handed for call in calls)
 
 
 def _is_of_the_code(word: str) -> bool:

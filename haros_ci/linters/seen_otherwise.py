@@ -11,10 +11,12 @@ import re
 from collections.abc import Iterator
 
 from haros_ci.linters import macro_scan, pasted_names, ros_macros
-from haros_ci.linters.dead_text import dead
+from haros_ci.linters.dead_text import dead, joined
+from haros_ci.linters.linked_names import linked_names
 from haros_ci.linters.macro_scan import is_decoration
 from haros_ci.linters.macros_elsewhere import MacrosElsewhere, brought
 from haros_ci.linters.meanings import SPELLED
+from haros_ci.linters.version_conditions import version_conditions
 from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Workspace
 from haros_ci.results.code_alone import without_comments
@@ -52,8 +54,17 @@ _USUAL_PRAGMA = re.compile(
     r"|arm|DATA_SECTION|CODE_SECTION|link|cling|ide|code_seg|data_seg|bss_seg|const_seg|section|init_seg|function|intrinsic|runtime_checks|strict_gs_check|pointers_to_members|component"
     r"|clang_tidy|pylint|cppcheck|scalar_storage_order|no_inline|noinline|forceinline|distribute_point|parallel|block_loop|unused|weak)\b|\s*\Z)"
 )
+#: Without one of these, and a directive, nothing of this is in a text.
+_WORDS_OF_NAMES = ("ragma", "asm", "attribute", "[[")
 #: The number of a line that a directive sets, which tools are not given.
 _LINE = re.compile(r"^[ \t]*(?:#|%:)[ \t]*(?:line[ \t]+)?\d", re.M)
+#: Words that are there if a macro has more arguments: cppcheck counts one that is empty when it is expanded ([cpp.subst]). A comma alone is usual.
+_OPTIONAL = re.compile(r"\b__VA_OPT__\s*\((?!\s*(?:,\s*)?\))")
+#: A parameter that is called as a directive, and is made a text: in copies that tools get that is none (:mod:`inclusions`).
+_MADE_TEXT = re.compile(
+    r"^[ \t]*(?:#|%:)[ \t]*define[ \t]+\w+\([^()\n]{0,400}?\b(include|include_next|import|embed|pragma)\b[^()\n]{0,400}\)[^\n]{0,2000}?(?:#|%:)[ \t]*\1\b",
+    re.M,
+)
 _CALL = re.compile(r"\b([A-Z]\w{3,80})[ \t]*\(")
 _TOKEN = re.compile(r"\"(?:[^\"\\\n]|\\.)*\"|'(?:[^'\\\n]|\\.){1,12}'|[(){};]")
 #: What a decoration can mean without being code: attributes, words, other macros.
@@ -159,8 +170,8 @@ def seen_otherwise(text: str) -> Iterator[str]:
     """What *text* has of this, quoted, in its order by kind; takes linear time."""
     yield from _spellings(text)
     if (
-        "ragma" not in text
-        and "#" not in text
+        "#" not in text
+        and not any(word in text for word in _WORDS_OF_NAMES)
         and "%:" not in text
         and not any(name in text for name in _WITH_ARGUMENTS)
     ):
@@ -168,6 +179,7 @@ def seen_otherwise(text: str) -> Iterator[str]:
     text = _code(text)
     yield from (f"'#include {_quoted(match[1])}'" for match in _COMPUTED.finditer(text))
     yield from _pragmas(text)
+    yield from _of_compilers(without_comments(text, "c"))
     if "__LINE__" in text and _LINE.search(text) is not None:
         yield "the number of a line, which a directive sets,"
     yield from _macros(text)
@@ -177,6 +189,15 @@ def seen_otherwise(text: str) -> Iterator[str]:
             has_code, done = _read(text, match.end())
             if has_code:
                 yield f"code in the arguments of {match[1]}"
+
+
+def _of_compilers(text: str) -> Iterator[str]:
+    """What a compiler, or the linker behind it, decides otherwise; *text* is without comments."""
+    yield from linked_names(text)
+    yield from version_conditions(text)
+    if "__VA_OPT__" in text and _OPTIONAL.search(text) is not None:
+        yield "what stands in __VA_OPT__"
+    yield from (f"the parameter {match[1]} of a macro" for match in _MADE_TEXT.finditer(text))
 
 
 def _spellings(text: str) -> Iterator[str]:
@@ -223,7 +244,7 @@ def _pragmas(text: str) -> Iterator[str]:
 
 def _code(text: str) -> str:
     """*text* with spliced lines joined, and without comments, raw texts and what is written false."""
-    text = text.replace("\\\r\n", "").replace("\\\n", "") if "\\" in text else text
+    text = joined(text)
     parts, at = [], 0
     for start, end in dead(text):
         parts.append(text[at:start] + " ")

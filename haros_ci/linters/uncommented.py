@@ -21,7 +21,7 @@ from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Reader, Store, Workspace
 from haros_ci.results.comments import comments, lines_of, syntax
 from haros_ci.results.result import Result, Run
-from haros_ci.results.silencers import FORMS, Form
+from haros_ci.results.silencers import FORMS, Form, joined
 
 #: By tool the words without which no comment of a text silences it; a tool that is not here has none that hides a defect, or tells what it silences.
 _WORDS: dict[str, re.Pattern[str]] = {
@@ -40,7 +40,8 @@ _WORDS: dict[str, re.Pattern[str]] = {
 _LETTERS = re.compile(r"[A-Za-z0-9_]")
 #: The rules that a comment names, behind the words that make it one.
 _MEANT = re.compile(
-    r"(?:cppcheck-suppress(?:-\w+)?|NOLINT\w*|noqa|disable|ignore|nosec)[\s:=(\[]*([^#;)\]\n]*)", re.IGNORECASE
+    r"(?:cppcheck-suppress(?:-\w+)?|NOLINT\w*|noqa|disable|ignore|nosec)(?:[\s:=(]*\[([^\]]*)|[\s:=(\[]*([^#;)\]\n]*))",
+    re.IGNORECASE,
 )
 _RULE = re.compile(r"[A-Za-z*][\w./+*-]*")
 
@@ -89,7 +90,7 @@ def silenced_findings(
 ) -> tuple[Run, ...]:
     """A run for each of *linters* with what comments keep it from saying of files that have *changed*, or that use such a file.
 
-    Nothing is run where no comment can silence it. Results are those that are said without the comments alone, of rules that are on; notifications
+    Nothing is run where no comment can silence it. Results are those that are words_of_it without the comments alone, of rules that are on; notifications
     those on files that cannot be analysed without them: what comments hide there is not known.
     """
     done = []
@@ -98,7 +99,7 @@ def silenced_findings(
         if words is None or linter.NAME in options.disabled:
             continue
         own = [file.path for file in workspace.files if file.language in linter.LANGUAGES]
-        if changed.isdisjoint(own) or not any(words.search(_read(workspace, path)) for path in own):
+        if changed.isdisjoint(own) or not any(words.search(joined(_read(workspace, path), "c")) for path in own):
             continue
         units = _concerned(linter, workspace, changed, options, store, is_selected)
         if not units:
@@ -161,13 +162,13 @@ def _concerned(
 def _may_silence(tool: str, text: str, kind: str) -> Iterator[str]:
     """The rules of *tool* that comments of *text* may silence; "" for one that names none, or many."""
     words = _WORDS[tool]
-    if not words.search(text):
+    if not words.search(joined(text, kind)):
         return
     forms = _forms(kind, tool)
-    for comment in comments(text, kind):
-        if words.search(comment.text) and any(form.pattern.search(comment.text) for form in forms):
-            meant = _MEANT.search(comment.text)
-            rules = _RULE.findall(meant[1]) if meant else []
+    for words_of_it in (joined(comment.text, kind) for comment in comments(text, kind)):
+        if words.search(words_of_it) and any(form.pattern.search(words_of_it) for form in forms):
+            meant = _MEANT.search(words_of_it)
+            rules = _RULE.findall(meant[1] or meant[2] or "") if meant else []
             yield from ("" if "*" in rule or rule == "all" else rule for rule in rules or [""])
 
 
@@ -192,7 +193,8 @@ def _bare(workspace: Workspace, paths: Collection[str]) -> Workspace:
 def without_silencers(text: str, kind: str) -> str:
     """*text*, of which each comment that silences a tool says nothing any more; the same object where there is none. Lines and columns stay."""
     forms = _forms(kind)
-    if not any(word.search(text) for word in _WORDS.values()):
+    words_of_it = joined(text, kind)
+    if not any(word.search(words_of_it) for word in _WORDS.values()):
         return text
     plain = "\n".join(lines_of(text))
     starts = [0]
@@ -200,7 +202,8 @@ def without_silencers(text: str, kind: str) -> str:
         starts.append(starts[-1] + len(line) + 1)
     parts, at = [], 0
     for comment in comments(plain, kind):
-        if any(form.pattern.search(comment.text) for form in forms):
+        words_of_it = joined(comment.text, kind)
+        if any(form.pattern.search(words_of_it) for form in forms):
             start = starts[comment.line - 1] + comment.column - 1
             parts += [plain[at:start], _LETTERS.sub("x", comment.text)]
             at = start + len(comment.text)

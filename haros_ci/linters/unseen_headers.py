@@ -11,6 +11,7 @@ import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import NamedTuple
 
+from haros_ci.linters.dead_text import joined, without_raw_texts
 from haros_ci.linters.includes import closure
 from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Store, Workspace
@@ -22,9 +23,8 @@ _DIRECTIVE = re.compile(
     rf"^{_GAP}(?:#|%:){_GAP}(if|ifdef|ifndef|elif|elifdef|elifndef|else|endif|define|include|import)\b[ \t]*([^\n]*)",
     re.MULTILINE,
 )
-_SPLICE = re.compile(r"\\[ \t]*\r?\n")
 _WORD = re.compile(r"[A-Za-z_]\w*")
-_NAME = re.compile(r'["<]([^">\n]+)')
+_NAME = re.compile(r'"([^">\n]+)|(<[^">\n]+)')
 
 
 class Sight(NamedTuple):
@@ -65,8 +65,7 @@ def _from_row(row: object) -> Sight | None:
 
 def sight(text: str) -> Sight:
     """That of *text*; the guard around a whole file is no condition, what stands in its ``#else`` is under one. What ``#import`` names a tool may not read. Takes linear time."""
-    if "\\" in text:
-        text = _SPLICE.sub("", text)
+    text = without_raw_texts(joined(text))
     if "/*" in text:
         text = without_comments(text, "c")
     plain: dict[str, None] = {}
@@ -92,7 +91,7 @@ def sight(text: str) -> Sight:
             depth -= 1
             top = min(top, max(depth, 0))
         elif name := _NAME.match(rest):
-            (conditional if depth > max(top, 0) or word == "import" else plain)[name[1]] = None
+            (conditional if depth > max(top, 0) or word == "import" else plain)[name[1] or name[2]] = None
         is_first = False
     asked.pop("defined", None)
     return Sight(tuple(name for name in conditional if name not in plain), tuple(defined), tuple(asked))

@@ -10,7 +10,7 @@ import re
 from collections.abc import Iterator
 from posixpath import dirname, join, normpath
 
-from haros_ci.linters.dead_text import dead, is_in
+from haros_ci.linters.dead_text import dead, is_in, joined
 from haros_ci.linters.in_default import is_test
 from haros_ci.model.package import SourceFile
 from haros_ci.model.python_names import as_python_reads
@@ -73,6 +73,7 @@ def notifications(head: Workspace, base: Workspace | None) -> tuple[Notification
 def _named(file: SourceFile, text: str) -> Iterator[str]:
     """The paths, or the ends of paths, of what *text* has compiled or imported."""
     if file.language == "cpp":
+        text = joined(text)
         hidden = dead(text)
         yield from (match[1] for match in _INCLUDE.finditer(text) if not is_in(match.start(), hidden))
     elif file.language == "python":

@@ -29,6 +29,21 @@ _TAKING = frozenset(
 )
 
 
+#: Commands of CMake of which no word is the name of a program, and that make no target be built.
+_NO_DEPENDENCY = frozenset(
+    """
+    add_executable ament_auto_add_executable ament_target_dependencies target_link_libraries target_include_directories target_compile_options target_compile_definitions
+    target_compile_features target_link_options target_sources target_precompile_headers set_target_properties set_property install
+    """.split()
+)
+_EXCLUDED = re.compile(r"\A\s*\S+\s+(?:WIN32\s+|MACOSX_BUNDLE\s+)*EXCLUDE_FROM_ALL\b")
+_EXCLUDED_BY = re.compile(r"\bEXCLUDE_FROM_ALL\s+\"?(?:1|ON|TRUE|YES|Y)\b", re.I)
+#: What opens a block of CMake, ends one, or ends the file; comments and texts may hold none of these at the beginning of a line.
+_BLOCK = re.compile(
+    r"^[ \t]*(if|endif|foreach|endforeach|while|endwhile|function|endfunction|macro|endmacro|block|endblock|return)[ \t]*\(",
+    re.I | re.M,
+)
+_BEGINS = frozenset(("if", "foreach", "while", "function", "macro", "block"))
 #: Places of a name that are looked at, characters of a path, and how far before it the command that takes it begins.
 _MOST_PLACES = 200
 _LONGEST_PATH = 300
@@ -48,6 +63,57 @@ def may_make_program(text: str, name: str, *, is_file: bool = True) -> bool:
     if len(places) == _MOST_PLACES or (places and _DERIVES.search(plain) is not None):
         return True
     return any(not _is_of_a_source(plain, place, name) for place in places)
+
+
+def is_not_made(text: str, target: str) -> bool:
+    """Whether CMake *text* leaves the executable *target* out of what is built by default, and has nothing that depends on it (EXCLUDE_FROM_ALL of cmake-properties(7))."""
+    if "EXCLUDE_FROM_ALL" not in text:
+        return False
+    commands = _commands_with(text, target)
+    is_left_out = any(
+        (name == "add_executable" and _EXCLUDED.search(words))
+        or (name in ("set_target_properties", "set_property") and _EXCLUDED_BY.search(words))
+        for name, words in commands
+    )
+    return is_left_out and all(name in _NO_DEPENDENCY for name, _ in commands)
+
+
+def is_called_otherwise(text: str, target: str) -> bool:
+    """Whether CMake *text* has *target* as the name of one alone, and of no program: not in a command that may name a file, nor behind ``OUTPUT_NAME`` or ``RENAME``."""
+    if re.search(rf"\b(?:RENAME|\w*OUTPUT_NAME\w*)\s+\"?{re.escape(target)}(?!\w)", text):
+        return False
+    return all(name in _NO_DEPENDENCY for name, _ in _commands_with(text, target))
+
+
+def _commands_with(text: str, word: str) -> list[tuple[str, str]]:
+    """The commands of CMake *text* among whose arguments *word* is one, by name, with the arguments; one without a name for a word that stands elsewhere."""
+    found, done = [], 0
+    plain = _COMMENT.sub("", text)
+    for place in islice(re.finditer(rf"(?<![\w./+-]){re.escape(word)}(?![\w./+-])", plain), _MOST_PLACES):
+        if place.start() < done:
+            continue
+        openers = list(_OPENER.finditer(plain, max(0, place.start() - _NEAR), place.start()))
+        opener = openers[-1] if openers else None
+        end = plain.find(")", place.end())
+        if opener is None or end < 0 or plain.find(")", opener.end(), place.start()) >= 0:
+            return [("", "")]
+        found.append((opener[1].lower(), plain[opener.end() : end]))
+        done = end
+    return found
+
+
+def before_return(script: str) -> str:
+    """The text of a CMake file to the command ``return()`` that stands in no block, behind which nothing is read."""
+    if "#[" in script or "[[" in script:
+        return script  # comments and texts over several lines
+    depth = 0
+    for match in _BLOCK.finditer(script):
+        word = match[1].lower()
+        if word == "return" and depth == 0 and script.count('"', 0, match.start()) % 2 == 0:
+            return script[: match.start()]
+        depth += word in _BEGINS
+        depth -= word.startswith("end")
+    return script
 
 
 def _is_of_a_source(text: str, place: re.Match[str], name: str) -> bool:

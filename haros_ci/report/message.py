@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from math import isfinite
 
 from haros_ci.report.escape import terminal
+from haros_ci.results.own import TOOL
 from haros_ci.results.result import Related, Result
 
 MAX_MESSAGE = 2000
@@ -60,9 +61,9 @@ def number(value: float | None) -> float | int | None:
 
 
 def _parts(result: Result) -> Iterator[tuple[str, int]]:
-    """The message in pieces, each with the id that it links to, or 0."""
+    """The message in pieces, each with the id that it links to, or 0. Checks of haros-ci write no links: what reads so is a name of the workspace."""
     text, start = result.message[: MAX_MESSAGE * 2], 0
-    for match in _LINK.finditer(text) if result.related else ():
+    for match in _LINK.finditer(text) if result.related and result.tool != TOOL else ():
         if 1 <= int(match[2]) <= len(result.related):
             yield text[start : match.start()], 0
             yield re.sub(r"\\([\[\]\\])", r"\1", match[1]), int(match[2])

@@ -73,6 +73,7 @@ _HINTS = (
     "isort:", "lizard", "shellcheck", "hadolint", "yamllint", "catkin_lint", "cmake-", "codespell", "flawfinder", "rats:", "its4:",
     "generated code",
 )  # fmt: skip
+_SPLICE = re.compile(r"\\[ \t]*\r?\n")
 #: A comment that keeps pylint out of a file: what it silences there nobody tells.
 _EVERYTHING = re.compile(r"pylint:[^\n]*\bdisable=(?:[\w,-]*,)?all\b")
 #: What a generated file says of itself in its first lines.
@@ -95,25 +96,35 @@ class Silencer:
 
 def silencers(text: str, kind: str) -> Iterator[Silencer]:
     """Every comment in a file of syntax *kind* that silences a tool, top to bottom. Strings and prose are none."""
-    lower = text.lower()
+    lower = _joined(text).lower()
     if not any(hint in lower for hint in _HINTS):
         return
     forms = [form for form in FORMS if kind in form.kinds]
     lines = lines_of(text) if forms else []
     for comment in comments(text, kind) if forms else ():
+        words_of_it = joined(comment.text, kind)
         for form in forms:
             if form.only_beside_code and comment.alone:
                 continue
-            if (found := form.pattern.search(comment.text)) is None:
+            if (found := form.pattern.search(words_of_it)) is None:
                 continue
             if form.name == "type: ignore" and comment.alone and _follows_code(lines, comment):
                 continue
-            line = comment.line + comment.text.count("\n", 0, found.start())
+            line = comment.line + words_of_it.count("\n", 0, found.start())
             code, code_line = _code_of(lines, comment)
             words = "".join(found[0].split())
             if comment.alone and _EVERYTHING.search(words):
                 words = f"{words} alone"  # of the whole file; beside code, of its line
             yield Silencer(form, line, words, code, code_line)
+
+
+def joined(comment: str, kind: str) -> str:
+    """What a *comment* says to a tool: in C++ without the ends of lines that go on in the next one, where that is one word more ([lex.phases])."""
+    return _joined(comment) if kind == "c" else comment
+
+
+def _joined(text: str) -> str:
+    return _SPLICE.sub("", text) if "\\" in text else text
 
 
 def _code_of(lines: list[str], comment: Comment) -> tuple[str, int]:

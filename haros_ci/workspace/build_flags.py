@@ -11,10 +11,15 @@ from haros_ci.workspace.build_definitions import REFERENCE, odd_definitions, odd
 _PATH = rf"(?:[\w./+~:\"\\-]|{REFERENCE})"
 #: What the code is written in, or which of its words are keywords, is not for a flag to say: linters read UTF-8, and C++ as it is by default.
 _READS_OTHERWISE = r"(?:input-charset=(?!(?i:utf-?8)\Z)|directives-only|(?:no-)?operator-names|(?:no-)?asm\Z|(?:no-)?gnu-keywords|no-char8|traditional)"
+#: Sizes of types and the sign of char are what linters take them to be (gcc(1), "Code Gen Options", "x86 Options"); names are what the code calls them (ld(1)).
+_SIZES = r"short-(?:enums|wchar|double)|pack-struct|unsigned-(?:char|bitfields)|no-signed-(?:char|bitfields)"
+_OTHER_MACHINE = r"(?:32|x32|16|iamcu|ilp32|abi=ilp32\w*|long-double-\w+|data-model=\w+)\Z"
+_OF_SIZES = re.compile(rf"-f(?:{_SIZES})(?:=\d+)?|-m{_OTHER_MACHINE}")
+_RENAMES = r"[^\s]*(?:--?(?:defsym|wrap|just-symbols)\b|,-T|,@)"
 #: What a flag may be. A word without a dash is a name, a path or a keyword; behind a flag that is not here it is named with that.
 _HARMLESS = re.compile(
-    rf"-W(?![pa],)[\w=+#,./:${{}}-]*|-O\w*|-g[\w-]*|-g\w+=\w+|-std=(?:[\w+]|{REFERENCE})+|-pedantic(?:-errors)?|-pg|-pipe|-pthreads?|-ansi|-rdynamic|-pie|-diag[\w-]*|-static[\w+-]*|-shared|-coverage|--coverage"
-    rf"|-f(?!plugin|module|include|preprocess|{_READS_OTHERWISE})[\w+-]+(?:=[\w.,+-]*)?|-f\w+-prefix-map=\S*|-m[\w.+-]+(?:=[\w.,+${{}}-]+)?|-l\S*|-L\S*|-I{_PATH}*|-isystem{_PATH}*|-iquote{_PATH}*|-D[\w.+-]*(?:=(?:{_PATH}|[,@*])*)?|-U\w*|-[AC-WYZac-wyz]|-undefined|-Qunused-arguments"
+    rf"-W(?![pa],|{_RENAMES})[\w=+#,./:${{}}-]*|-O\w*|-g[\w-]*|-g\w+=\w+|-std=(?:[\w+]|{REFERENCE})+|-pedantic(?:-errors)?|-pg|-pipe|-pthreads?|-ansi|-rdynamic|-pie|-diag[\w-]*|-static[\w+-]*|-shared|-coverage|--coverage"
+    rf"|-f(?!plugin|module|include|preprocess|{_READS_OTHERWISE}|{_SIZES})[\w+-]+(?:=[\w.,+-]*)?|-f\w+-prefix-map=\S*|-m(?!{_OTHER_MACHINE})[\w.+-]+(?:=[\w.,+${{}}-]+)?|-l\S*|-L\S*|-I{_PATH}*|-isystem{_PATH}*|-iquote{_PATH}*|-D[\w.+-]*(?:=(?:{_PATH}|[,@*])*)?|-U\w*|-[AC-WYZac-wyz]|-undefined|-Qunused-arguments"
     rf"|-no-?\w+|--?param=?\S*|-arch|-framework|-Xlinker|-rpath\S*|-Bstatic|-Bdynamic|-gencode\S*|--?expt-[\w-]+|-std|--compiler-options|-Xcompiler\S*|-dev|/(?!FI|Y|clang)[A-Z]\S*|--",
     re.DOTALL,
 )
@@ -23,7 +28,11 @@ _PLAIN = re.compile(
     r"\s*(?:-[DU])?[\w.+-]*(?:=(?:[\w.+:/,@~*-]*|'?(?:\\*\")[^\"()]*(?:\\*\")'?))?(?:\s+-[DU][\w.+-]*(?:=[\w.+:/,-]*)?)*\s*",
     re.DOTALL,
 )
-_OTHER = re.compile(r"-\d[\w.]*|@\w+@|--(?!include|imacros|language|config|specs|sysroot)[\w=./-]+|-(?=\Z)")
+_OTHER = re.compile(
+    r"-\d[\w.]*|@\w+@|--(?!include|imacros|language|config|specs|sysroot|defsym|wrap|just-symbols)[\w=./-]+|-(?=\Z)"
+)
+#: CMake's word for what is handed to the linker ("target_link_options").
+_LINKER = re.compile(r"\ALINKER:(?:SHELL:)?")
 _BETWEEN = re.compile(r"[\s;]+")
 _IN_GENEX = re.compile(r"[\s;:<>$]+|,(?=\$|>|-)")
 
@@ -43,12 +52,17 @@ def odd_flags(text: str, *, are_definitions: bool = False) -> Iterator[str]:
         words = [word for word in _IN_GENEX.split(text) if word.startswith(("-", "@"))]
         yield from (word for word in words if not _is_harmless(word) or odd_flag(word))
         return
-    words = [word.removeprefix("SHELL:") for word in _BETWEEN.split(text) if word]
+    words = [_LINKER.sub("-Wl,", word.removeprefix("SHELL:")) for word in _BETWEEN.split(text) if word]
     for word, after in zip(words, [*words[1:], ""], strict=True):
         is_odd = word.startswith(("-", "@", "/FI", "/Y")) and not _is_harmless(word) and not _OTHER.fullmatch(word)
         is_odd |= odd_flag(f"-D{after}" if word == "-D" else word)
         if is_odd or text == "-":
             yield f"{word} {after}".strip()
+
+
+def changes_sizes(word: str) -> bool:
+    """Whether the *word* is a flag that changes what types are, and nothing that is read."""
+    return _OF_SIZES.fullmatch(word) is not None
 
 
 def _has_plain_values(text: str) -> bool:

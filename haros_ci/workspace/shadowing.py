@@ -46,6 +46,7 @@ def shadowed(head: Workspace, base: Workspace) -> tuple[Problem, ...]:
         *_headers(head, base, [file for file in changed if file.language == "cpp"], changed),
         *_decoys(head, base, [file for file in changed if file.language == "cpp"]),
         *_modules(head.names, base.names),
+        *_turned(head, base),
         *_programs(head, base, [file for file in changed if file.language == "cmake"]),
     )
     return cut((problem for problem in problems if head.reports_on(problem.path)), MOST)
@@ -168,6 +169,28 @@ def _of_python(path: str, names: Collection[str]) -> str:
     folder, _, module = stem.rpartition("/")
     is_top = (f"{folder}/__init__.py" if folder else "__init__.py") not in names
     return module if is_top and module in sys.stdlib_module_names and module not in _USUAL else ""
+
+
+def _turned(head: Workspace, base: Workspace) -> Iterator[Problem]:
+    """One for each symbolic link, by a name of code or to a directory with some, that leads to something else than before, or stands in place of a file.
+
+    Where it led to that has moved, or is as it was, nothing is said.
+    """
+    before = dict(base.links)
+    files = {file.path: file for file in base.files}
+    now = {file.path: file for file in head.files}
+    for path, target in head.links:
+        was = before.get(path, path if path in files else target)
+        if was == target:
+            continue
+        new, old = now.get(target), files.get(was)
+        if new is None:
+            is_seen = all(any(one.startswith(f"{place}/") for one in now) for place in (target, was))
+        else:
+            is_seen = old is None or new.digest != old.digest
+        if is_seen:
+            led = f"leads to {target}, and was a file" if was == path else f"leads to {target}, no longer to {was}"
+            yield Problem(path, f"this symbolic link {led}: look what stands there")
 
 
 def _programs(head: Workspace, base: Workspace, changed: Iterable[SourceFile]) -> Iterator[Problem]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import html
 
+import pytest
 from hostile_kit import CHEAP_FINDING, CONTROL, Trap, assert_harmless
 
 QUICK = ("--ignore=pylint,cpplint,metrics,ruff,unassignedVariable",)
@@ -52,6 +53,19 @@ def test_they_are_counted_everywhere(trap: Trap) -> None:
         for n in i.get("toolExecutionNotifications", ())
     ]
     assert any(found in note for note in notes), notes
+    assert_harmless(trap, outcome)
+
+
+@pytest.mark.parametrize(
+    "comment", ["/* cppcheck-\\\nsuppress nullPointer */", "/* cppcheck-suppress [a,\n  nullPointer] */"]
+)
+def test_one_over_two_lines_is_counted_and_what_it_hides_is_named(trap: Trap, comment: str) -> None:
+    text = f"int g(int x) {{\n  int * unset = 0;\n  {comment}\n\n  return *unset + x;\n}}\n"
+    pull_request(trap, {}, {"a.cpp": text})
+    outcome = trap.run("--baseline-rev=main", *QUICK)
+    silenced = outcome.report["silenced"]
+    assert [(c["path"], c["line"], c["comment"]) for c in silenced["comments"]] == [("a.cpp", 3, "cppcheck-suppress")]
+    assert outcome.says("comments silence more than they did in 1 place: a.cpp:6 (nullPointer)")
     assert_harmless(trap, outcome)
 
 

@@ -64,6 +64,40 @@ def test_what_mixins_make_in_their_turn(bases: str) -> None:
     assert (node.name, sorted(end.name for end in explicit(node))) == ("/n", ["/A", "/B"])
 
 
+@pytest.mark.parametrize(
+    "call",
+    [
+        "type(self).create_publisher(self, String, 'a', 1)",
+        "self.__class__.create_publisher(self, String, 'a', 1)",
+        "N.create_publisher(self, String, 'a', 1)",
+        "Node.create_publisher(self, String, 'a', 1)",
+        "rclpy.node.Node.create_publisher(self, String, topic='a', qos_profile=1)",
+    ],
+)
+def test_a_method_of_a_library_by_its_class(call: str) -> None:
+    own = f"import rclpy.node\nclass N(Node):\n    def __init__(self):\n        super().__init__('n')\n        {call}\n"
+    (node,) = only(follow({"p/setup.py": SETUP, "p/p/__init__.py": "", "p/p/n.py": HEAD + own + MAIN}, 2)).nodes
+    assert (node.name, [end.name for end in explicit(node)]) == ("/n", ["/a"])
+
+
+@pytest.mark.parametrize(
+    "call",
+    [
+        "B.create_publisher(self, String, 'a', 1)",
+        "N.create_publisher(String, 'a', 1)",
+        "N.give(self, String, 'a', 1)",
+        "C.create_publisher(self, String, 'a', 1)",
+    ],
+)
+def test_another_method_by_its_class(call: str) -> None:
+    own = (
+        "class C(Node):\n    pass\nclass B:\n    def create_publisher(self, *a):\n        pass\n"
+        f"class N(B, Node):\n    def __init__(self):\n        Node.__init__(self, 'n')\n        {call}\n"
+    )
+    (node,) = only(follow({"p/setup.py": SETUP, "p/p/__init__.py": "", "p/p/n.py": HEAD + own + MAIN}, 2)).nodes
+    assert (node.name, explicit(node)) == ("/n", [])
+
+
 def test_a_node_does_not_call_who_stands_behind_it() -> None:
     own = "class N(Node, A):\n    def __init__(self):\n        super().__init__('n')\n"
     text = HEAD + MIXIN.format("A") + own + MAIN

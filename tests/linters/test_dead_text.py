@@ -9,7 +9,7 @@ import pytest
 from linter_samples import MemoryStore, workspace
 
 from haros_ci.linters import includes
-from haros_ci.linters.dead_text import dead, is_in
+from haros_ci.linters.dead_text import dead, is_in, joined, without_raw_texts
 
 LINE = '#include "b.hpp"\n'
 
@@ -33,6 +33,8 @@ DEAD = [
     f'const char * text = R"--(\n)"\n{LINE})--";\n',
     f'auto text = u8R"(\n{LINE})";\n',
     f"char quote = '\"'; /* \"\n{LINE}*/\n",
+    f'const char * text = R\\\n"(\n{LINE})";\n',
+    f'const char * text = R"(a)\\\n"\n{LINE})";\n',
 ]
 ALIVE = [
     LINE,
@@ -58,6 +60,11 @@ ALIVE = [
     f"int quote = '\"';\n{LINE}int other = '\"';\n",
     f"long number = 1'000'000;\n{LINE}",
     f"#endif\n#else\n{LINE}",
+    f'// why \\\n R"(\n{LINE}// )"\n',
+    f'/\\\n/ R"(\n{LINE}// )"\n',
+    f'const char * text = "a\\\n R";\n{LINE}const char * more = "(b";\n',
+    f'const char * text = R"(a)\\\n" /* )";\n{LINE}/* */\n',
+    f"int myR = 1;\n{LINE}",
     f"#if 0\n{LINE}#endif\n{LINE}",
 ]
 
@@ -75,6 +82,25 @@ def test_an_include_that_no_compiler_reads(text: str, tmp_path: Path) -> None:
 @pytest.mark.parametrize("text", ALIVE)
 def test_an_include_that_a_compiler_may_read(text: str, tmp_path: Path) -> None:
     assert written(text, tmp_path) == ("b.hpp",)
+
+
+def test_lines_are_joined_outside_of_raw_texts() -> None:
+    assert joined("#def\\\nine A \\  \r\n1\n") == "#define A 1\n"
+    assert joined('a\\\nb R"x(\\\n)")x" c\\\nd') == 'ab R"x(\\\n)")x" cd'
+    assert joined('u\\\n8R"(\\\n)" // R"( \\\n a\\\n') == 'u8R"(\\\n)" // R"(  a'
+    assert joined("/* R\"( *\\\n/ '\\\\' \\\n") == "/* R\"( */ '\\\\' "
+    assert joined('barR"( \\\n)"') == 'barR"( )"'
+
+
+def test_raw_texts_are_empty() -> None:
+    assert (
+        without_raw_texts('a R"(\n#endif\n)"; /* R"( */ // R"(\n"R(" R"b()") )b"') == 'a ""; /* R"( */ // R"(\n"R(" ""'
+    )
+
+
+def test_hostile_splices_take_linear_time() -> None:
+    for text in ("\\\n", "R\\\n", '"\\', "\\ ", "/\\\n", "/*", "*\\\n", "'\\\n", 'R"('):
+        joined(f'\\\n{text * 60_000} R"(')
 
 
 def test_raw_texts_without_end_take_no_time_in_the_square_of_their_number() -> None:

@@ -352,6 +352,12 @@ REGISTRATIONS = [
     "REGISTER_A(a)\nREGISTER_A(b);\n",
     "REGISTER_A(a)\n#endif\n",
     "REGISTER_A(a)",
+    "REGISTER_A(a)\n[[nodiscard]] int b;\n",
+    "class A {\npublic:\nREGISTER_A(a)\nint b;\n};\n",
+    "int a;  // of a\nREGISTER_A(a)\n#ifdef B\nint b;\n#endif\n",
+    "// more of a\nREGISTER_A(a)\nint b;\n",
+    "#include <a.hpp>\nREGISTER_A(a)\nint b;\n",
+    "template<typename T>\nREGISTER_A(a)\nint b;\n",
 ]
 NO_REGISTRATIONS = [
     "REGISTER_A(a);\nint b;\n",
@@ -368,6 +374,14 @@ NO_REGISTRATIONS = [
     "REGISTER_A(a\nint b;\n",
     "REGISTER_A(((((((((a)))))))))\nint b;\n",
     "int c = MAKE_A(1);\nMAKE_A(2)\nint b;\n",
+    "int\nMAKE_A(int * p)\nnoexcept\n{\n}\n",
+    "int &\nMAKE_A(int * p)\nconst\n{\n}\n",
+    "int b =\nMAKE_A(p)\n[0];\n",
+    "int b =\nMAKE_A(p)\nand c;\n",
+    "int b = c +\nMAKE_A(p)\n}\n",
+    "int b = a;\nMAKE_A(p)\n#if 1\n[0] = 1;\n#endif\n",
+    "int\nMAKE_A(p)\nint * p;\n{\n}\n",
+    "return\nMAKE_A(p)\n}\n",
 ]
 
 

@@ -100,6 +100,41 @@ def test_no_word_for_a_word(tmp_path: Path, text: str, code: str) -> None:
     assert said(tmp_path, base, {"arm/src/a.cpp": OTHER + code}) == []
 
 
+OWN = "static int read(const int * p)\n{\n  return *p;\n}\nint give(int a)\n{\n  return read(&a);\n}\n"
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "#define read(p) read(0)\n",
+        "#define read(...) read(nullptr)\n",
+        "#define read(p) take(p)\n",
+        "#define read(p) other::take(p)\n",
+    ],
+)
+def test_a_macro_that_is_called_as_a_function(tmp_path: Path, text: str) -> None:
+    base = {"other/include/other/give.hpp": text, "arm/src/a.cpp": "int a;\n"}
+    ((path, message),) = said(tmp_path, base, {"arm/src/a.cpp": OTHER + OWN})
+    assert path == "arm/src/a.cpp" and "the macro read of other/include/other/give.hpp" in message
+
+
+@pytest.mark.parametrize(
+    ("text", "code"),
+    [
+        ("#define read(p) read(p)\n", "int a = read(b);\n"),
+        ("#define read(a, ...) read(a, __VA_ARGS__)\n", "int a = read(b, c);\n"),
+        (
+            "#define read(p) other_read(p, 1)\n",
+            "int give(int a)\n{\n  if (read(&a)) {\n    return 1;\n  }\n  return 0;\n}\n",
+        ),
+        ("#define CHECK(p) check(p)\n", "void give(int a)\n{\n  CHECK(a);\n}\n"),
+    ],
+)
+def test_a_macro_that_is_called_in_place_of_a_function(tmp_path: Path, text: str, code: str) -> None:
+    base = {"other/include/other/give.hpp": text, "arm/src/a.cpp": "int a;\n"}
+    assert said(tmp_path, base, {"arm/src/a.cpp": OTHER + code}) == []
+
+
 #: What the change brings, by path; a.cpp, which stays as it is, uses GIVE.
 ALONE = {
     "a header": {"other/include/other/give.hpp": "#define GIVE local\n"},

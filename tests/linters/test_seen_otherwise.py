@@ -54,7 +54,49 @@ SEEN |= {
     "#ifndef Py_RETURN_NONE\n#define Py_RETURN_NONE return local\n#endif\n": "the macro Py_RETURN_NONE",
     "#ifndef ROS_DEPRECATED\n#define ROS_DEPRECATED not\n#endif\n": "the macro ROS_DEPRECATED",
 }
+LABEL = 'int * pick(int & a) {}("nothing");\n'
+SEEN |= {
+    LABEL.format("__asm__"): '"nothing" for the assembler',
+    LABEL.format("asm"): "for the assembler",
+    LABEL.format("const __asm"): "for the assembler",
+    'extern int kept __asm__("other");\n': "for the assembler",
+    'int * pick(int & a) __asm__("_" "nothing") __attribute__((used));\n': "for the assembler",
+    "#define NAMED(x) __asm__(#x)\nint pick() NAMED(nothing);\n": "for the assembler",
+    'int pick() __attribute__((alias("nothing")));\n': "the attribute alias",
+    'static int pick() __attribute__((used, __weakref__("nothing")));\n': "the attribute weakref",
+    '[[gnu::ifunc("nothing")]] int pick();\n': "the attribute ifunc",
+    '[[using gnu : alias("nothing")]] int pick();\n': "the attribute alias",
+    "#pragma weak pick = nothing\n": "pick, which is nothing",
+    '_Pragma("weak pick=nothing")\n': "pick, which is nothing",
+    "#define GIVE(a, ...) __VA_OPT__(static) int a\n": "__VA_OPT__",
+    "#define TEXT(include) #include\n": "the parameter include",
+    "#define TEXT(a, \\\n  pragma) a #pragma\n": "the parameter pragma",
+}
+SEEN |= {
+    f"#if __GNUC__ != 13\n{CODE}\n#endif\n": "the version of the compiler",
+    f"#if __GNUC__ < 13\n{CODE}\n#endif\n": "the version of the compiler",
+    f"#if __GNUC__ == 13 && __GNUC_MINOR__ < 3\n#else\n{CODE}\n#endif\n": "the version of the compiler",
+    f"#if X\n#elif __GNUC__ > 13\n{CODE}\n#endif\n": "the version of the compiler",
+    f"#ifdef X\n#if __GNUC__ <= 12 && !defined(Y)\n{CODE}\n#endif\n#endif\n": "the version of the compiler",
+    f"#if !RCLCPP_VERSION_GTE(99, 0, 0)\n{CODE}\n#endif\n": "RCLCPP_VERSION_GTE",
+    f"#if ROS_VERSION_MINIMUM(2, 0, 0)\n#else\n{CODE}\n#endif\n": "ROS_VERSION_MINIMUM",
+    f"#if PCL_VERSION < PCL_VERSION_CALC(99, 1, 0)\n{CODE}\n#endif\n": "PCL_VERSION_CALC",
+}
 QUIET = [
+    'void f(bool a) {\n  asm("nop");\n  if (a) asm("hlt");\n  else asm("nop");\n  asm volatile("mfence" ::: "memory");\n}\n',
+    'void f() {\n  for (;;)\n    __asm__("pause");\n  do asm("nop"); while (false);\n  register int a asm("r0");\n}\n',
+    '// int pick() __asm__("nothing");\nconst char * a = "__attribute__((alias(\\"b\\")))";\n#define A\n',
+    'po.alias("name");\nint alias(int a);\n[[nodiscard]] int pick();\n__attribute__((weak)) int give();\n#pragma weak give\n',
+    "#define LOG(f, ...) printf(f __VA_OPT__(,) __VA_ARGS__)\n",
+    "#define INCLUDE_IT(a) #a\n#define GIVE(includes) #includes\n",
+    f"#if __GNUC__ >= 7\n{CODE}\n#endif\n",
+    f"#if defined(__GNUC__) && __GNUC__ < 5\n{CODE}\n#endif\n",
+    "#if __GNUC__ >= 12\n#pragma GCC diagnostic push\n#endif\nint a;\n",
+    "#if __GNUC__ >= 14\n#define ARM_QUIET 1\n#else\n#define ARM_QUIET 0\n#endif\n",
+    f"#ifdef __GNUC__\nint a;\n#else\n{CODE}\n#endif\n",
+    f"#if RCLCPP_VERSION_GTE(28, 0, 0)\nint a;\n#else\n{CODE}\n#endif\n",
+    f"#if ROS_VERSION_MINIMUM(1, 14, 0)\nint a;\n#else\n{CODE}\n#endif\n",
+    f"#if PCL_VERSION_COMPARE(>=, 1, 12, 0) || VTK_VERSION < VTK_VERSION_CHECK(9, 1, 0)\n{CODE}\n#endif\n",
     '#pragma once\n#pragma GCC diagnostic push\n#pragma GCC diagnostic ignored "-Wall"\n#pragma omp parallel for\n#pragma pack(push, 1)\n',
     "#pragma warning(disable : 4996)\n#  pragma GCC visibility push(default)\n#pragma clang diagnostic pop\n#pragma\n",
     '_Pragma("GCC diagnostic push") __pragma(warning(push))\n',
@@ -95,6 +137,19 @@ QUIET = [
     "EIGEN_MAKE_ALIGNED_OPERATOR_NEW\nint a;\n",
     "TP_ARGS(",
 ]
+
+
+def test_hostile_text_takes_linear_time() -> None:
+    for text in (
+        "asm(",
+        "__attribute__((",
+        "[[",
+        "#pragma weak a",
+        "#if __GNUC__ < 12\n",
+        "#define A(include",
+        "__asm__ ",
+    ):
+        list(seen_otherwise(f"#define A\n{text * 20_000}"))
 
 
 @pytest.mark.parametrize("text", SEEN)

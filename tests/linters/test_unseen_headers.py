@@ -33,6 +33,9 @@ ALONE = {
     "another way of a guard": (ONCE, f"#ifndef A\n#define A\n#elif B\n{INCLUDE}#endif\n"),
     "an end in a comment": (ONCE, f"#ifdef B\n/*\n#endif\n*/\n{INCLUDE}#endif\n"),
     "import": (ONCE, '#import "part.hpp"\n'),
+    "an end in a raw text": (ONCE, f'#ifdef B\nconst char * a = R"(\n#endif\n)";\n{INCLUDE}#endif\n'),
+    "an end in a raw text with a word": (ONCE, f'#ifdef B\nauto a = u8R"x(\n)"\n#endif\n)x";\n{INCLUDE}#endif\n'),
+    "a raw text behind a comment of two lines": (ONCE, f'#ifdef B\n// why \\\n R"(\n{INCLUDE}#endif\n// )"\n'),
     "behind many macros": (GUARDED, "".join(f"#define M{n}\n" for n in range(3000)) + f"#define PART_HPP\n{INCLUDE}"),
     "a guard that ends early": (ONCE, f"#ifndef A\n#define A\n#endif\n#ifdef B\n{INCLUDE}#endif\n"),
 }
@@ -50,6 +53,9 @@ THROUGH = {
     "a macro of nobody": ("#pragma once\n#ifdef WINDOWS\nint a;\n#endif\n", INCLUDE),
     "a macro in a comment": (GUARDED, f"// #define PART_HPP\n{INCLUDE}"),
     "a macro that begins alike": (GUARDED, f"#define PART_HPP_TWO\n{INCLUDE}"),
+    "a condition in a raw text": (ONCE, f'const char * a = R"(\n#ifdef B\n)";\n{INCLUDE}'),
+    "in angle brackets, and in quotes": (ONCE, f"#include <part.hpp>\n{INCLUDE}"),
+    "in angle brackets, in a directory that is looked in": (ONCE, "#include <part.hpp>\n"),
     "guards around everything": (GUARDED, f"#ifndef A\n#define A\n#ifdef B\n#endif\n{INCLUDE}#endif\n"),
     "a way of a condition that is over": (ONCE, f"#ifndef A\n#define A\n#ifdef B\n#else\n#endif\n{INCLUDE}#endif\n"),
     "imported and included": (ONCE, f'#import "part.hpp"\n{INCLUDE}'),
@@ -79,6 +85,16 @@ def test_it_is_analysed_through_what_includes_it(name: str, tmp_path: Path) -> N
     assert "part.hpp" not in analysed(tmp_path, {"part.hpp": header, "a.cpp": source})
 
 
+def test_a_name_in_angle_brackets_is_not_looked_for_beside_the_file(tmp_path: Path) -> None:
+    files = {"a/b/use.cpp": "#include <beside.hpp>\n", "a/b/beside.hpp": ONCE}
+    assert "a/b/beside.hpp" in analysed(tmp_path, files)
+
+
+def test_a_name_in_quotes_is(tmp_path: Path) -> None:
+    files = {"a/b/use.cpp": '#include "beside.hpp"\n', "a/b/beside.hpp": ONCE}
+    assert "a/b/beside.hpp" not in analysed(tmp_path, files)
+
+
 def test_one_file_that_shows_it_is_enough(tmp_path: Path) -> None:
     files = {"part.hpp": GUARDED, "a.cpp": f"#define PART_HPP\n{INCLUDE}", "d.cpp": INCLUDE}
     assert "part.hpp" not in analysed(tmp_path, files)
@@ -87,7 +103,7 @@ def test_one_file_that_shows_it_is_enough(tmp_path: Path) -> None:
 def test_what_a_file_has_is_kept_by_its_contents(tmp_path: Path) -> None:
     space, store = workspace(tmp_path, {"a.cpp": "#ifdef A\n#include <b.hpp>\n#endif\n#define C\n"}), MemoryStore()
     first = sights(space, space.files, store)
-    assert first == {"a.cpp": Sight(("b.hpp",), ("C",), ("A",))} == sights(space, space.files, store)
+    assert first == {"a.cpp": Sight(("<b.hpp",), ("C",), ("A",))} == sights(space, space.files, store)
 
 
 def test_hostile_text_takes_linear_time() -> None:

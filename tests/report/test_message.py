@@ -46,6 +46,12 @@ def test_messages(message: str, related: tuple[Related, ...], said: str, text: s
     assert linked(result) == text
 
 
+def test_what_reads_as_a_link_in_a_name_of_the_workspace_is_none() -> None:
+    result = replace(NULL_RESULT, tool="haros-ci", message="No package [here](1)", related=(HERE,))
+    assert plain(result) == "No package [here](1)."
+    assert linked(result) == r"No package \[here\](1). See [Declared here](1)."
+
+
 def test_brackets_in_labels_are_escaped() -> None:
     near = Related(Location("a.cpp", 3), "v[0](x)")
     assert linked(replace(NULL_RESULT, message="Out of range", related=(near,))) == r"Out of range. See [v\[0\](x)](1)."

@@ -22,6 +22,8 @@ FIRES = [
     ("c", "// cppcheck-suppress nullPointer\n*p = 1;\n", "cppcheck-suppress"),
     ("c", "/* cppcheck-suppress-begin [a, b] */\n", "cppcheck-suppress"),
     ("c", "// cppcheck-suppress-file unusedFunction\n", "cppcheck-suppress"),
+    ("c", "// cppcheck-sup\\\npress nullPointer\n*p = 1;\n", "cppcheck-suppress"),
+    ("c", "/* \\\ncppcheck-suppress nullPointer */\n*p = 1;\n", "cppcheck-suppress"),
     ("c", "// clang-format off\n", "clang-format off"),
     ("c", "strcpy(a, b); // Flawfinder: ignore\n", "Flawfinder: ignore"),
     ("c", "int f() { // #lizard forgives\n", "#lizard forgives"),

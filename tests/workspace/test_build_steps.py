@@ -21,6 +21,12 @@ FOLLOWED_BY_NOBODY = [
     'target_compile_options(a PRIVATE "SHELL:-include part.txt")',
     "target_compile_options(a PRIVATE -specs=flags.txt)",
     "target_compile_options(a PRIVATE @flags.txt)",
+    "target_link_options(a PRIVATE -Wl,--defsym=pick=nothing)",
+    'target_link_options(a PRIVATE "LINKER:--defsym,pick=nothing")',
+    "target_link_libraries(a -Wl,-z,now,--wrap=pick)",
+    "target_link_libraries(a -Wl,--just-symbols=b)",
+    "set_target_properties(a PROPERTIES LINK_FLAGS -Wl,--defsym,pick=nothing)",
+    "target_link_options(a PRIVATE -Wl,-Tmap.ld)",
     "target_compile_options(a PRIVATE --config=flags.txt)",
     "target_compile_options(a PRIVATE -fplugin=part.so)",
     "target_compile_options(a PRIVATE -wrapper part.sh)",
@@ -129,6 +135,10 @@ FOLLOWED_BY_NOBODY += [
 ]
 #: Many packages do so: it is noted.
 USUAL = [
+    "target_compile_options(a PRIVATE -fshort-enums)",
+    "add_compile_options(-m32)",
+    "add_compile_options(-fpack-struct=1)",
+    'set(CMAKE_CXX_FLAGS "-Wall -funsigned-char")',
     "execute_process(COMMAND git describe OUTPUT_VARIABLE V)",
     "add_custom_command(OUTPUT a.cpp COMMAND make_it)",
     "add_custom_target(docs COMMAND doxygen)",
@@ -148,6 +158,8 @@ if(CMAKE_COMPILER_IS_GNUCXX OR CMAKE_CXX_COMPILER_ID MATCHES "Clang")
 endif()
 add_compile_options($<$<COMPILE_LANGUAGE:CXX>:-std=c++17> "$<$<CONFIG:Debug>:-O0;-g3>")
 target_compile_options(a PRIVATE $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_GREATER:$<CXX_COMPILER_VERSION>,9>>:-Wno-deprecated-copy>)
+target_link_options(a PRIVATE -Wl,--no-undefined -Wl,--as-needed "-Wl,-rpath,${HERE}" -Wl,-R/opt -Wl,--version-script=a.map "LINKER:-z,now" -Wl,--gc-sections)
+target_compile_options(a PRIVATE -m64 -mfpu=neon -mavx2 -fsigned-char -fno-short-enums -fpack -mtune=native)
 target_compile_options(a PRIVATE ${OPTIONS} "${OPTIONS}" /W4 /bigobj -ffile-prefix-map=${CMAKE_SOURCE_DIR}=.)
 set(CMAKE_CXX_FLAGS "${CMAKE_CXX_FLAGS} -std=c++11 -Wall -pthread -D_GLIBCXX_USE_CXX11_ABI=0 -isystem ${A_DIR}/include")
 set(CMAKE_CXX_STANDARD 17)

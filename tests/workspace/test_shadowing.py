@@ -161,6 +161,56 @@ def test_quiet(tmp_path: Path, base: dict[str, str], head: dict[str, str]) -> No
     assert brought(tmp_path, base, head) == []
 
 
+LINKED = {"arm/package.xml": MANIFEST.format("arm"), "arm/one.hpp": GIVE, "arm/two.hpp": USE, "arm/a/b.hpp": GIVE}
+
+
+def turned(
+    place: Path, before: dict[str, str], after: dict[str, str], gone: tuple[str, ...] = ()
+) -> list[tuple[str, str]]:
+    """What is said of links, each a path with its target, that are others after a change."""
+    spaces = []
+    for side, links in (("base", before), ("head", after)):
+        for name, text in LINKED.items():
+            path = place / side / name
+            path.parent.mkdir(parents=True, exist_ok=True)
+            if side == "base" or name not in gone:
+                path.write_text(text)
+        for name, target in links.items():
+            (place / side / name).symlink_to(target)
+        subprocess.run(["git", "init", "-q", place / side], check=True)
+        spaces.append(discover(place / side, ()))
+    return [(problem.path, problem.message) for problem in shadowed(spaces[1], spaces[0])]
+
+
+def test_a_link_that_leads_to_another_file(tmp_path: Path) -> None:
+    ((path, message),) = turned(tmp_path, {"arm/part.hpp": "one.hpp"}, {"arm/part.hpp": "two.hpp"})
+    assert path == "arm/part.hpp" and "leads to arm/two.hpp, no longer to arm/one.hpp" in message
+
+
+def test_a_link_that_leads_to_another_directory(tmp_path: Path) -> None:
+    ((path, _),) = turned(tmp_path, {"arm/part": "a"}, {"arm/part": "."})
+    assert path == "arm/part"
+
+
+def test_a_link_in_place_of_a_file(tmp_path: Path) -> None:
+    ((path, message),) = turned(tmp_path, {}, {"arm/one.hpp": "two.hpp"}, gone=("arm/one.hpp",))
+    assert path == "arm/one.hpp" and "and was a file" in message
+
+
+@pytest.mark.parametrize(
+    ("before", "after"),
+    [
+        ({"arm/part.hpp": "one.hpp"}, {"arm/part.hpp": "one.hpp"}),
+        ({"arm/part.hpp": "one.hpp"}, {"arm/part.hpp": "a/b.hpp"}),
+        ({}, {"arm/part.hpp": "two.hpp"}),
+        ({"arm/part.hpp": "two.hpp"}, {}),
+        ({}, {"arm/part": "a"}),
+    ],
+)
+def test_links_that_are_quiet(tmp_path: Path, before: dict[str, str], after: dict[str, str]) -> None:
+    assert turned(tmp_path, before, after) == []
+
+
 def test_headers_of_one_name_without_number(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("haros_ci.workspace.shadowing._MOST_LOOKS", 1)
     ((path, message),) = brought(tmp_path, HEADER, {f"arm/first{i}/arm/give.hpp": GIVE for i in range(3)})

@@ -11,6 +11,7 @@ from itertools import islice
 
 from haros_ci.model.build import Build, Installed
 from haros_ci.model.launch_facts import FileUse
+from haros_ci.model.program_words import before_return
 from haros_ci.model.similar_files import similar_files
 from haros_ci.model.submodules import absent, is_below
 from haros_ci.model.workspace import Workspace
@@ -200,7 +201,11 @@ class Finder:
             prefix = "" if start == "." else f"{start}/"
             paths = [prefix + name for name in _BUILD_FILES]
             paths += [path for path in self.below(prefix) if path.endswith((".cmake", "/CMakeLists.txt"))]
-            self._scripts[package] = "\n".join(self.workspace.text(path) for path in dict.fromkeys(paths))
+            texts = ((path, self.workspace.text(path)) for path in dict.fromkeys(paths))
+            is_cmake = (".cmake", "CMakeLists.txt")
+            self._scripts[package] = "\n".join(
+                before_return(text) if path.endswith(is_cmake) else text for path, text in texts
+            )
         return self._scripts[package]
 
     def below(self, prefix: str) -> tuple[str, ...]:

@@ -11,7 +11,7 @@ from dataclasses import dataclass, field, replace
 from haros_ci.launch.facts.files import Finder
 from haros_ci.model.build import Build
 from haros_ci.model.launch_facts import ProgramUse
-from haros_ci.model.program_words import may_make_program
+from haros_ci.model.program_words import is_called_otherwise, is_not_made, may_make_program
 from haros_ci.model.similar_files import similar_names
 
 #: Commands of CMake that make programs under names of their own.
@@ -58,6 +58,8 @@ class Programs:
             return None, (), False
         if self._versions.get(use.package) not in (None, use.ros):
             return None, (), False  # the package of this name for the other ROS, which is another one
+        if use.kind == "executable" and (called := self._is_not_made(use, build, start)) is not None:
+            return False, called, False
         if (use.package, use.program) in self.known or (use.kind == "nodelet" and self._is_described(use.program)):
             return True, (), False
         names = self._classes(build, use) if use.kind != "executable" else build.programs()
@@ -71,6 +73,23 @@ class Programs:
         if script in names:  # nothing is nearer than the script without its ending
             similar = (script, *(name for name in similar if name != script))[:3]
         return False, similar, False
+
+    def _is_not_made(self, use: ProgramUse, build: Build, start: str) -> tuple[str, ...] | None:
+        """The names that may be meant, where the package has a target of this name which it never builds, or builds under another name; else None."""
+        targets = [target for target in build.targets if use.program in (target.name, target.output)]
+        if len(targets) != 1 or targets[0].kind != "executable" or targets[0].is_conditional:
+            return None
+        if self.finder.steps < 0 or self.finder.is_doubled(use.package) or use.program in _files_of(build):
+            return None
+        text = self.finder.script(use.package, start)
+        if any(match[1].lower() not in _KNOWN_MAKERS for match in _MAKERS.finditer(text)):
+            return None
+        (target,) = targets
+        if is_not_made(text, target.name):
+            return ()
+        output = f"{target.prefix}{target.output or target.name}{target.suffix}"
+        is_other = use.program != output and is_called_otherwise(text, use.program)
+        return (output,) if is_other else None
 
     def _is_described(self, name: str) -> bool:
         """Whether some package describes a nodelet of this look-up name: what stands before the slash need not be that package (pluginlib)."""
@@ -117,6 +136,12 @@ class Programs:
         suffixes = (".cpp", ".cc", ".cxx", ".hpp", ".h", *((".xml",) if use.kind == "nodelet" else ()))
         paths = (p for p in self.finder.below(prefix) if p.endswith(suffixes) and ".launch" not in p)
         return any(last in self.finder.workspace.text(path) for path in paths)
+
+
+def _files_of(build: Build) -> set[str]:
+    """The programs that are no target: scripts, entry points, and files that are installed as such."""
+    files = {posixpath.basename(path) for path in build.scripts} | {entry.name for entry in build.entry_points}
+    return files | {one.name or posixpath.basename(one.path) for one in build.installed if one.kind == "program"}
 
 
 def _running(build: Build, library: str) -> tuple[str, ...]:
