@@ -183,6 +183,7 @@ def resolve_type(  # noqa: C901 - the order of the rules of name lookup
         else:
             spaces = {*index.opened(source)}
             name = _inside_interfaces(index, name, source, spaces.union(_around(scope)))
+            name = _through(index, name, source)
             whole = _by_include(index, head, source, scope) if head != head.lower() else head
             if whole == head and head not in spaces and name.startswith(f"{head}::"):
                 name = _of_library(index, name, spaces, scope)
@@ -218,7 +219,7 @@ def _by_include(index: Index, name: str, source: Source, scope: str) -> str:
     if not spaces:
         return name
     included = index.messages(source) if name != name.lower() else {}  # REP 144: packages are in lower case
-    for suffix in ("", "ConstPtr", "Ptr"):
+    for suffix in ("", "ConstPtr", "Ptr", "Request", "Response"):
         found = included.get(name.removesuffix(suffix))
         if found and found.partition("::")[0] in spaces:
             return found + (suffix if name.endswith(suffix) else "")
@@ -230,6 +231,20 @@ def _by_include(index: Index, name: str, source: Source, scope: str) -> str:
     if len(homes) == 1:
         return f"{homes[0]}::{name}"
     return _of_library(index, name, spaces, scope)
+
+
+def _through(index: Index, name: str, source: Source) -> str:
+    """``a::B`` of which the namespace ``a`` has using-directives: the class or interface of an open namespace that it is ([namespace.qual])."""
+    head, _, last = name.rpartition("::")
+    spaces = () if name in index.library else index.opened_in(source, head)
+    if not spaces:
+        return name
+    classes = [f"{space}::{last}" for space in spaces if f"{space}::{last}" in index.classes]
+    if classes:
+        return classes[0] if len(classes) == 1 else name
+    interface = _of_interfaces(index, last, source, {*spaces})
+    included = index.messages(source).get(last, "")
+    return interface or (included if included.rpartition("::")[0] in spaces else name)
 
 
 def _of_interfaces(index: Index, name: str, source: Source, spaces: set[str]) -> str | None:
