@@ -30,7 +30,7 @@ SEQUENCES = frozenset(
 )
 MAPS = frozenset(("std::map", "std::unordered_map", "boost::unordered_map"))
 STRINGS = frozenset(
-    "std::string string std::basic_string str boost::filesystem::path std::string_view boost::string_view absl::string_view".split()
+    "std::string string std::basic_string str boost::filesystem::path std::string_view boost::string_view absl::string_view QString".split()
 )
 INTEGERS = frozenset(
     "int long short char unsigned size_t std::size_t ssize_t uint signed byte".split()

@@ -9,7 +9,7 @@ from collections.abc import Mapping
 from haros_ci.follow.conversions import CHARACTERS, WIDTHS
 from haros_ci.index.types import INTEGERS
 from haros_ci.syntax import Type
-from haros_ci.values.abstract import Known
+from haros_ci.values.abstract import Known, Opaque, Value
 
 _DOUBLE = {
     "max": 1.7976931348623157e308,
@@ -71,3 +71,13 @@ def limit(name: str, kind: Type) -> Known | None:
     if name == "max":
         return Known((1 << (bits - 1 if is_signed else bits)) - 1)
     return Known(-(1 << bits - 1) if is_signed else 0)
+
+
+def of_text(value: Value) -> Value:
+    """The number that a text is, as ``boost::lexical_cast`` reads it."""
+    if isinstance(value, Known) and issubclass(value.kind, str):
+        try:
+            return Known(float(value.of(str)) if "." in value.of(str) else int(value.of(str)))
+        except ValueError:
+            return Opaque("it is no number")
+    return value
