@@ -234,8 +234,10 @@ def method(  # noqa: C901 - one branch for each kind of receiver
         result = ros2_selectors.type_constant(receiver)
         if result is not None or isinstance(receiver, (Known, Text, Sequence)):
             return result or walk.opaque("the type of a parameter is not known", frame, location.line)
-    if is_text and (made := qt_texts.method(walk, receiver, cell, name, args)) is not None:
-        return made
+    if is_text and isinstance(receiver, (Known, Text)):
+        made = qt_texts.method(walk, receiver, cell, name, args)
+        if made is not None:
+            return made
     if isinstance(receiver, Known):
         return cpp_data.of_known(walk, frame, receiver, cell, name, args)
     if isinstance(receiver, (Text, Choice)) and name in ("c_str", "str", "data"):
