@@ -73,7 +73,7 @@ TRANSPARENT = frozenset(
     "std::move std::forward std::ref std::cref boost::ref boost::cref std::string string boost::shared_ptr "
     "boost::static_pointer_cast std::static_pointer_cast boost::dynamic_pointer_cast std::dynamic_pointer_cast "
     "std::const_pointer_cast ros::names::clean boost::filesystem::path std::to_string boost::to_string "
-    "boost::lexical_cast std::function boost::function std::max std::abs CHECK_NOTNULL DCHECK_NOTNULL "
+    "boost::lexical_cast std::function boost::function CHECK_NOTNULL DCHECK_NOTNULL "
     "GazeboRosPtr gazebo::GazeboRosPtr FMT_COMPILE FMT_STRING fmt::runtime".split()
 )
 
@@ -160,8 +160,6 @@ def function(  # noqa: C901 - one branch for each modelled function
                 is_double = args[0].type is not None and args[0].type.name == "double"
                 return Known(f"{value.value:.17g}") if is_double else walk.opaque("its digits are not known", frame)
             return concatenate((value,))
-        if name in ("std::max", "std::abs"):
-            return None
         return moves.away(walk, frame, args[0]) if name == "std::move" else value
     if name == "ros::package::getPath" and args and isinstance(args[0].value, Known):
         return Known(f"$(find {args[0].value.value})")
@@ -189,6 +187,9 @@ def _put_together(
     """Functions that make tuples and texts, or go through a list."""
     if name == "std::for_each" and len(args) == 3:
         return algorithms.for_each(walk, frame, args)
+    if name in library_numbers.CHOOSING:
+        kind = walk.type_in(targs[0], frame) if targs and type(targs[0]) is syntax.Type else syntax.NOTHING
+        return library_numbers.chosen(name, (conversions.converted(argument.value, kind) for argument in args))
     if name == "std::get" and targs:
         return tuples.got(targs, args)
     if name in ("std::make_tuple", "std::forward_as_tuple"):
