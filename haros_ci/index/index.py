@@ -284,7 +284,7 @@ class Index:
         found = self.inside.get(key)
         if found is None:
             own = (source, *(self.sources[path] for path in sorted(self.reach(source.path))))
-            spaces = [space for each in own for at, space in each.program.scopes if at == around and around]
+            spaces = [space for unit in own for at, space in unit.program.scopes if at == around and around]
             found = self.inside[key] = tuple(dict.fromkeys(space.removeprefix("::") for space in spaces))
         return found
 

@@ -60,7 +60,7 @@ def expression(unit: Unit, call: Node, depth: int) -> syntax.Expression | None:
 
 
 def piece(unit: Unit, text: str, place: tuple[int, int], depth: int) -> syntax.Expression | None:
-    """The expression *text*, which stands at *place* and is no part of the tree; None if it is none."""
+    """The expression *text*, which stands at *place* and is no part of the tree; None if it is no expression."""
     if unit.level >= _DEEPEST or unit.found.expansions >= _MOST:
         return None
     unit.found.expansions += 1

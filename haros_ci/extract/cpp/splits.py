@@ -68,6 +68,6 @@ def expression(
             return found
         around = above if above.kind_id in _MEMBERS else None
     text = " ".join(unit.cut(node).split())
-    other = next((each for each in split.others if each.own == text), None)
+    other = next((listed for listed in split.others if listed.own == text), None)
     instead = expansion.piece(unit, other.text, (other.line, other.column), depth) if other is not None else None
     return syntax.Conditional(syntax.Compiled(((split.line, 1, split.text),)), found, instead or unit.opaque(node))

@@ -109,7 +109,7 @@ def configurations_attribute(run: ScriptEvaluation, value: Configurations, name:
     names = value.context.launch.names_of_configurations() if name in ("items", "keys", "values", "copy") else None
     if names is not None and len(run.heap.journals) <= value.context.depth:
         run.budget.take(len(names))
-        every = {each: configuration(run, value.context, each, place) for each in names}
+        every = {key: configuration(run, value.context, key, place) for key in names}
         return Native(name, lambda run, call: container_methods.ASKING[dict][name](run, every, call))
     return run.unknown(f"launch_configurations.{name} is not followed", place)
 
