@@ -73,6 +73,7 @@ class Index:
     reached: dict[str, frozenset[str]] = field(default_factory=dict)
     #: The namespaces that are open in each file, and the messages that it includes.
     open: dict[str, tuple[str, ...]] = field(default_factory=dict)
+    inside: dict[tuple[str, str], tuple[str, ...]] = field(default_factory=dict)
     headers: dict[str, Mapping[str, str]] = field(default_factory=dict)
     trace: Trace | None = None
     #: Types that have been resolved so far for the one that is asked for (``types.resolve_type``).
@@ -280,6 +281,16 @@ class Index:
             for path in sorted(self.reach(source.path)):
                 spaces += [space for around, space in self.sources[path].program.scopes if not around]
             found = self.open[source.path] = tuple(dict.fromkeys(spaces))
+        return found
+
+    def opened_in(self, source: Source, around: str) -> tuple[str, ...]:
+        """The namespaces that using-directives open in the namespace *around*, as far as a file and what it includes tell."""
+        key = (source.path, around)
+        found = self.inside.get(key)
+        if found is None:
+            own = (source, *(self.sources[path] for path in sorted(self.reach(source.path))))
+            spaces = [space for unit in own for at, space in unit.program.scopes if at == around and around]
+            found = self.inside[key] = tuple(dict.fromkeys(space.removeprefix("::") for space in spaces))
         return found
 
     def messages(self, source: Source) -> Mapping[str, str]:

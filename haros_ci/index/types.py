@@ -3,10 +3,10 @@
 
 from __future__ import annotations
 
-import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 
 from haros_ci import syntax
+from haros_ci.index import open_names
 from haros_ci.index.common_messages import COMMON
 from haros_ci.index.index import Index, Source, pointed_class
 from haros_ci.index.macros import class_named
@@ -16,9 +16,6 @@ from haros_ci.syntax.codec import plain
 NO_TYPE = syntax.NOTHING
 #: Types inside of one, aliases among them, that are resolved for it: those of metaprogramming multiply.
 MOST = 300
-#: Namespaces of interfaces inside of their packages, and where rosidl puts underscores into the names of their headers (rosidl_cmake).
-INTERFACES = frozenset(("msg", "srv", "action"))
-_UPPER_WORD, _LOWER_UPPER = re.compile(r"(.)([A-Z][a-z]+)"), re.compile(r"([a-z0-9])([A-Z])")
 SMART_POINTERS = frozenset(
     f"{space}::{name}"
     for space in ("boost", "std")
@@ -30,7 +27,7 @@ SEQUENCES = frozenset(
 )
 MAPS = frozenset(("std::map", "std::unordered_map", "boost::unordered_map"))
 STRINGS = frozenset(
-    "std::string string std::basic_string str boost::filesystem::path std::string_view boost::string_view absl::string_view".split()
+    "std::string string std::basic_string str boost::filesystem::path std::string_view boost::string_view absl::string_view QString".split()
 )
 INTEGERS = frozenset(
     "int long short char unsigned size_t std::size_t ssize_t uint signed byte".split()
@@ -182,7 +179,8 @@ def resolve_type(  # noqa: C901 - the order of the rules of name lookup
             return hidden
         else:
             spaces = {*index.opened(source)}
-            name = _inside_interfaces(index, name, source, spaces.union(_around(scope)))
+            name = open_names.inside_interfaces(index, name, source, spaces.union(open_names.around(scope)))
+            name = open_names.through(index, name, source)
             whole = _by_include(index, head, source, scope) if head != head.lower() else head
             if whole == head and head not in spaces and name.startswith(f"{head}::"):
                 name = _of_library(index, name, spaces, scope)
@@ -218,48 +216,18 @@ def _by_include(index: Index, name: str, source: Source, scope: str) -> str:
     if not spaces:
         return name
     included = index.messages(source) if name != name.lower() else {}  # REP 144: packages are in lower case
-    for suffix in ("", "ConstPtr", "Ptr"):
+    for suffix in ("", "ConstPtr", "Ptr", "Request", "Response"):
         found = included.get(name.removesuffix(suffix))
         if found and found.partition("::")[0] in spaces:
             return found + (suffix if name.endswith(suffix) else "")
     bare = name.removesuffix("ConstPtr") if name.endswith("ConstPtr") else name.removesuffix("Ptr")
-    interface = _of_interfaces(index, bare, source, spaces)
+    interface = open_names.of_interfaces(index, bare, source, spaces)
     if interface is not None:
         return interface + name[len(bare) :]
     homes = [space for space in sorted(spaces) if bare in COMMON.get(space, ())]
     if len(homes) == 1:
         return f"{homes[0]}::{name}"
     return _of_library(index, name, spaces, scope)
-
-
-def _of_interfaces(index: Index, name: str, source: Source, spaces: set[str]) -> str | None:
-    """An unqualified message, service or action of ROS 2 by its header, or as one that is widely known; None if it is neither."""
-    kinds = {space: space.partition("::")[2] for space in spaces}
-    if not any(kind in INTERFACES for kind in kinds.values()) or not name[:1].isupper():
-        return None
-    stem = _LOWER_UPPER.sub(r"\1_\2", _UPPER_WORD.sub(r"\1_\2", name)).lower()
-    headers = index.messages(source)
-    homes = {space for space, kind in kinds.items() if headers.get(f"{kind}/{stem}") == space}
-    known = {space for space, kind in kinds.items() if kind == "msg" and name in COMMON.get(space[:-5], ())}
-    homes = homes or known
-    return f"{homes.pop()}::{name}" if len(homes) == 1 else None
-
-
-def _around(scope: str) -> Iterator[str]:
-    """The scopes around what stands in *scope*, and itself: a package's code may lie in the namespace of its interfaces."""
-    while scope:
-        yield scope
-        scope = scope.rpartition("::")[0]
-
-
-def _inside_interfaces(index: Index, name: str, source: Source, spaces: set[str]) -> str:
-    """``msg::Type`` with the namespace of its package, open or around it, as far as that is known."""
-    head, _, tail = name.partition("::")
-    if head not in INTERFACES:
-        return name
-    inside = tail.partition("::")[0]
-    interface = _of_interfaces(index, inside, source, {f"{space}::{head}" for space in spaces})
-    return interface + tail[len(inside) :] if interface is not None else name
 
 
 def _of_library(index: Index, name: str, spaces: set[str], scope: str) -> str:

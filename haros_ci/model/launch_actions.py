@@ -43,6 +43,10 @@ class LaunchContext(Protocol):
         """A launch configuration; None if nothing has set it."""
         ...
 
+    def names_of_configurations(self) -> tuple[str, ...] | None:
+        """The launch configurations that are set; None if there may be others."""
+        ...
+
     def set_configuration(self, name: str, value: Performed) -> None: ...
 
     def set_any_configuration(self) -> None:

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import pytest
-from follow_kit import cpp_files, follow, main, node
+from follow_kit import cpp_files, explicit, follow, main, node, ros2_cpp
 
 from haros_ci.model.architecture import Endpoint
 
@@ -36,8 +36,15 @@ FURTHER = 'if (p()) ADV("one", 1);\n#ifdef A\nelse if (q()) { ADV("two", 1); }\n
         (OPENED, "", ["/both", "/end", "/own#"]),
         (OPENED, "A", ["/both", "/end", "/own#"]),
         (NAME, "", ["/?"]),
+        (NAME.replace('"b"', '"a"'), "", ["/a"]),
         (NAME, "A", ["/a"]),
         (ARGUMENT, "", ["/?"]),
+        (ARGUMENT.replace('"b"', '"a"'), "", ["/a"]),
+        (ARGUMENT.replace("#else", "#elif B"), "", ["/?"]),
+        (ARGUMENT.replace('"b"', ""), "", ["/?"]),
+        (ARGUMENT.replace('"b"', '"b", 1'), "", ["/?"]),
+        (ARGUMENT.replace("#else\n", ""), "", ["/?"]),
+        (ARGUMENT.replace('"b"', "f()"), "", ["/?"]),
         (ARGUMENT, "A", ["/a"]),
         (FURTHER, "", ["/one", "/three", "/two#"]),
         # what does not stand in one
@@ -53,6 +60,39 @@ FURTHER = 'if (p()) ADV("one", 1);\n#ifdef A\nelse if (q()) { ADV("two", 1); }\n
 )
 def test_the_branch_that_is_parsed(body: str, definition: str, expected: list[str]) -> None:
     assert made(body, definition) == expected
+
+
+#: An argument of a call that makes an image's publisher, under ``#ifdef A`` and under ``#else``, and the topic of the node ``/n``.
+NODES = (("*this,", "this,", "/image"), ("this,", "*this,", "/image"), ("*this,", "elsewhere(),", "/image|/?/image"))
+
+
+@pytest.mark.parametrize(("own", "other", "name"), NODES)
+def test_a_node_that_both_branches_give(own: str, other: str, name: str) -> None:
+    call = f"image_transport::create_publisher(\n#ifdef A\n{own}\n#else\n{other}\n#endif\n{{}});"
+    head = "#include <image_transport/image_transport.hpp>\n"
+    (end,) = explicit(ros2_cpp(call.format('"image", rclcpp::QoS(3)'), "", head).nodes[0])
+    assert end.name in name.split("|") and end.qos is not None and end.qos.depth == 3
+
+
+#: What one branch and the other one give as a quality of service, and what both have.
+QUALITIES = (
+    ("rclcpp::QoS(5)", "5", 5, "reliable"),
+    ("rclcpp::SensorDataQoS()", "rclcpp::QoS(5)", 5, "?"),
+    (
+        "rclcpp::QoS(rclcpp::QoSInitialization::from_rmw(rmw_qos_profile_sensor_data),\n rmw_qos_profile_sensor_data)",
+        "rmw_qos_profile_sensor_data",
+        5,
+        "best_effort",
+    ),
+    ("rclcpp::QoS(1), options", "rclcpp::QoS(1)", "?", "?"),
+)
+
+
+@pytest.mark.parametrize(("own", "other", "depth", "reliability"), QUALITIES)
+def test_what_both_branches_give_is_known(own: str, other: str, depth: object, reliability: str) -> None:
+    found = ros2_cpp(f'create_publisher<String>("a",\n#ifdef A\n{own}\n#else\n{other}\n#endif\n);')
+    (end,) = explicit(found.nodes[0])
+    assert end.qos is not None and (end.qos.depth, end.qos.reliability) == (depth, reliability)
 
 
 def test_what_is_called_is_called_by_the_name_that_is_read() -> None:

@@ -92,3 +92,73 @@ OPENED = (
 def test_messages_of_an_open_namespace(before: str, kind: str, expected: str | None) -> None:
     (node,) = ros2_cpp(f'create_publisher<{kind}>("a", 1);', before=before).nodes
     assert [end.type for end in explicit(node)] == [expected]
+
+
+#: What stands before a publisher of a type that is named through a namespace with using-directives, and the message that it is.
+THROUGH = (
+    (INCLUDE + "namespace all { using namespace my_msgs::msg; }\n", "all::SomePoint2", "my_msgs/msg/SomePoint2"),
+    ("namespace all { using namespace std_msgs::msg; }\n", "all::String", "std_msgs/msg/String"),
+    (
+        "#ifdef A\nnamespace all { using namespace std_msgs; }\n#else\nnamespace all { using namespace ::std_msgs::msg; }\n#endif\n",
+        "all::String",
+        "std_msgs/msg/String",
+    ),
+    (
+        INCLUDE + "namespace all { using namespace my_msgs::msg; using namespace std_msgs::msg; }\n",
+        "all::String",
+        "std_msgs/msg/String",
+    ),
+    (INCLUDE + "namespace all { using namespace my_msgs::msg; class SomePoint2 {}; }\n", "all::SomePoint2", None),
+    (INCLUDE + "namespace all { using namespace my_msgs::msg; }\n", "other::SomePoint2", None),
+    (INCLUDE + "namespace all { using namespace my_msgs::srv; }\n", "all::SomePoint2", None),
+    ("namespace all { using namespace my_msgs::msg; }\n", "all::SomePoint2", None),
+    (INCLUDE + "namespace all { namespace in { using namespace my_msgs::msg; } }\n", "all::SomePoint2", None),
+)
+
+
+@pytest.mark.parametrize(("before", "kind", "expected"), THROUGH)
+def test_messages_through_a_namespace(before: str, kind: str, expected: str | None) -> None:
+    (node,) = ros2_cpp(f'create_publisher<{kind}>("a", 1);', before=before).nodes
+    assert [end.type for end in explicit(node)] == [expected]
+
+
+def test_messages_of_ros_1_through_a_namespace() -> None:
+    before = "#include <my_msgs/Own.h>\nnamespace all { using namespace std_msgs; using namespace my_msgs; }\n"
+    found = cpp('nh.advertise<all::Own>("a", 1); nh.advertise<std_msgs::Bool>("b", 1);', before)
+    assert types(found) == [("/a", "my_msgs/Own"), ("/b", "std_msgs/Bool")]
+
+
+@pytest.mark.parametrize(
+    ("opened", "expected"),
+    [
+        ("namespace api { using namespace ns; }\n", ["/robot"]),
+        ("namespace api { using namespace ns; class B {}; }\n", []),
+        ("namespace api { using namespace other; }\n", []),
+        ("namespace { using namespace ns; }\n", []),
+    ],
+)
+def test_a_class_through_a_namespace(opened: str, expected: list[str]) -> None:
+    found = cpp("api::B b;", '#include "b.h"\n' + opened, b__h=HEADER, b__cpp=INSIDE)
+    assert names(found) == expected
+
+
+SERVICE = """#include <my_msgs/Find.h>
+{}
+class C {{ public: bool go({}FindRequest& a, {}FindResponse& b) {{ return true; }} }};
+"""
+
+
+@pytest.mark.parametrize(
+    ("opened", "space", "expected"),
+    [
+        ("using namespace my_msgs;", "", "my_msgs/Find"),
+        ("", "my_msgs::", "my_msgs/Find"),
+        ("using namespace my_msgs;", "my_msgs::", "my_msgs/Find"),
+        ("", "", None),
+        ("using namespace other_msgs;", "", None),
+        ("using namespace my_msgs; struct FindRequest {}; struct FindResponse {};", "", None),
+    ],
+)
+def test_a_service_by_its_request(opened: str, space: str, expected: str | None) -> None:
+    found = cpp('C c; nh.advertiseService("a", &C::go, &c);', SERVICE.format(opened, space, space))
+    assert [end.type for end in ends(found, "servers") if end.name == "/a"] == [expected]

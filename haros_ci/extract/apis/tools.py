@@ -96,11 +96,11 @@ ROWS: tuple[dict[str, object], ...] = (
     {"call": "planning_scene_monitor::PlanningSceneMonitor", "args": [1, 2, 3, 4],
      "unseen": "a planning scene is monitored"},
 
-    # urdf/model.h: the parameter is searched for from the handle's namespace upwards.
+    # urdf/model.h, urdf/src/model.cpp: the parameter is searched for from the handle's namespace upwards; without one, that of ros::NodeHandle().
     {"call": "urdf::Model::initParam", "args": [1],
-     "makes": [{"kind": "getters", "name": "{search(0)}", "type": "str"}]},
+     "makes": [{"kind": "getters", "name": "{search(0)}", "type": "str", "namespace": "{handle()}"}]},
     {"call": "urdf::Model::initParamWithNodeHandle", "args": [1],
-     "makes": [{"kind": "getters", "name": "{search(0)}", "type": "str"}]},
+     "makes": [{"kind": "getters", "name": "{search(0)}", "type": "str", "namespace": "{handle()}"}]},
     {"call": "urdf::Model::initParamWithNodeHandle", "args": [2],
      "makes": [{"kind": "getters", "name": "{search(0)}", "type": "str", "namespace": "{1}"}]},
 

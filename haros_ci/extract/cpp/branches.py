@@ -15,16 +15,32 @@ _BRACKETS = re.compile(r"[(){}]")
 _MIDDLE = tuple(",(=+-*/&|<?[")
 _LIST = re.compile(r"[=,({\]]\s*\{\Z")
 _NEVER = re.compile(r"\s*#\s*if\s+(?:0|false)\s*")
+_ELSE = re.compile(r"\s*#\s*else\s*")
+_PARTS = re.compile(r"[\[\](){},;]")
+_LONGEST = 2000
+
+
+class Other(NamedTuple):
+    """What ``#else`` has in the place of *own*: its *text*, and where that begins."""
+
+    own: str
+    text: str
+    line: int
+    column: int
 
 
 class Split(NamedTuple):
-    """The one branch that is left of a conditional: its *first* and *last* line, *line* and *text* of its directive, and the line of the *next* one."""
+    """The one branch that is left of a conditional: its *first* and *last* line, *line* and *text* of its directive, and the line of the *next* one.
+
+    *others* are the expressions of an ``#else``, by those of the branch in whose place they stand.
+    """
 
     first: int
     last: int
     line: int
     text: str
     next: int
+    others: tuple[Other, ...] = ()
 
 
 def single(text: str) -> tuple[str, tuple[Split, ...]]:
@@ -45,7 +61,7 @@ def single(text: str) -> tuple[str, tuple[Split, ...]]:
                 cuts = _cuts(bare, directives)
                 blanked.extend(cuts)
                 if cuts:
-                    left.append(_left(text, directives, _kept(bare, directives)))
+                    left.append(_left(text, bare, directives, _kept(bare, directives)))
     return _without(text, blanked), tuple(left)
 
 
@@ -54,14 +70,54 @@ def _kept(bare: str, directives: list[tuple[int, int]]) -> int:
     return 1 if _NEVER.fullmatch(bare[slice(*directives[0])]) else 0
 
 
-def _left(text: str, directives: list[tuple[int, int]], number: int) -> Split:
+def _left(text: str, bare: str, directives: list[tuple[int, int]], number: int) -> Split:
+    others = _others(text, bare, directives) if number == 0 else ()
     number = min(number, len(directives) - 1)
     (start, end), follows = directives[number], directives[min(number + 1, len(directives) - 1)][0]
     last = text.count("\n", 0, follows)
     line = text.count("\n", 0, start) + 1
     return Split(
-        text.count("\n", 0, end) + 2, last, line, " ".join(text[start:end].replace("\\\n", " ").split()), last + 1
+        text.count("\n", 0, end) + 2,
+        last,
+        line,
+        " ".join(text[start:end].replace("\\\n", " ").split()),
+        last + 1,
+        others,
     )
+
+
+def _others(text: str, bare: str, directives: list[tuple[int, int]]) -> tuple[Other, ...]:
+    """The expressions of ``#else``, if it has as many between its commas as the branch before it; none where there is another branch."""
+    if len(directives) != 3 or _ELSE.fullmatch(bare[slice(*directives[1])]) is None:
+        return ()
+    own, other = (_parts(text, bare, directives[at][1], directives[at + 1][0]) for at in (0, 1))
+    if len(own) != len(other) or any(
+        (ours[0] == "") is not (theirs[0] == "") for ours, theirs in zip(own, other, strict=True)
+    ):
+        return ()
+    return tuple(
+        Other(ours, theirs, text.count("\n", 0, start) + 1, start - text.rfind("\n", 0, start))
+        for (ours, _), (theirs, start) in zip(own, other, strict=True)
+        if ours
+    )
+
+
+def _parts(text: str, bare: str, start: int, end: int) -> list[tuple[str, int]]:
+    """What stands between the commas of a branch that is whole, with its offset; nothing of statements and of what is long."""
+    depth, begins, found = 0, start, list[tuple[str, int]]()
+    for match in _PARTS.finditer(bare, start, end) if end - start <= _LONGEST else ():
+        depth += 1 if match.group() in "([{" else -1 if match.group() in ")]}" else 0
+        if depth < 0 or (match.group() == ";" and not depth):
+            return []
+        if match.group() == "," and not depth:
+            found.append(_part(text, begins, match.start()))
+            begins = match.end()
+    return [*found, _part(text, begins, end)] if not depth and end - start <= _LONGEST else []
+
+
+def _part(text: str, start: int, end: int) -> tuple[str, int]:
+    piece = text[start:end]
+    return " ".join(piece.split()), start + len(piece) - len(piece.lstrip())
 
 
 def _cuts(bare: str, directives: list[tuple[int, int]]) -> list[tuple[int, int]]:

@@ -56,13 +56,25 @@ def expand(unit: Unit, call: Node, depth: int, out: list[syntax.Statement]) -> b
 def expression(unit: Unit, call: Node, depth: int) -> syntax.Expression | None:
     """The same of a use within an expression: what its body is if that is an expression; None if it is not simple."""
     text = _text(unit, call)
-    node = _block(f"x({text});") if text else None
+    return _lowered(unit, text, unit.position(call), depth) if text else None
+
+
+def piece(unit: Unit, text: str, place: tuple[int, int], depth: int) -> syntax.Expression | None:
+    """The expression *text*, which stands at *place* and is no part of the tree; None if it is no expression."""
+    if unit.level >= _DEEPEST or unit.found.expansions >= _MOST:
+        return None
+    unit.found.expansions += 1
+    return _lowered(unit, text.encode().decode("latin-1"), place, depth)
+
+
+def _lowered(unit: Unit, text: str, place: tuple[int, int], depth: int) -> syntax.Expression | None:
+    node = _block(f"x({text});")
     child = node.children[1] if node is not None and node.child_count == 3 else None
     inside = child.children[0] if child is not None and child.child_count else None
     argument = inside.child_by_field_id(_ARGUMENTS) if inside is not None and inside.kind_id in _CALL else None
     if argument is None:
         return None
-    inner = replace(unit, text=f"{_HEAD}x({text});}}", fixed=unit.position(call), level=unit.level + 1, shift=0)
+    inner = replace(unit, text=f"{_HEAD}x({text});}}", fixed=place, level=unit.level + 1, shift=0)
     found = expressions.arguments(inner, argument, depth)
     return found[0] if len(found) == 1 else None
 

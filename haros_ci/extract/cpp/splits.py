@@ -8,6 +8,7 @@ from collections.abc import Callable
 from tree_sitter import Node
 
 from haros_ci import syntax
+from haros_ci.extract.cpp import expansion
 from haros_ci.extract.cpp.branches import Split
 from haros_ci.extract.cpp.grammar import field, kinds
 from haros_ci.extract.cpp.unit import Unit
@@ -57,7 +58,7 @@ def _cut(unit: Unit, node: Node) -> Split | None:
 def expression(
     unit: Unit, node: Node, depth: int, split: Split, lower: Callable[[Unit, Node, int], syntax.Expression]
 ) -> syntax.Expression:
-    """An expression in such a branch, of a value that is not known where that is not compiled; what is called is called whatever its name."""
+    """An expression in such a branch; where that is not compiled, what ``#else`` has in its place, if it has one. What is called is called whatever its name."""
     before, unit.found.within = unit.found.within, (*unit.found.within, split)
     found = lower(unit, node, depth)
     unit.found.within = before
@@ -66,4 +67,7 @@ def expression(
         if above.kind_id in _CALLED:
             return found
         around = above if above.kind_id in _MEMBERS else None
-    return syntax.Conditional(syntax.Compiled(((split.line, 1, split.text),)), found, unit.opaque(node))
+    text = " ".join(unit.cut(node).split())
+    other = next((listed for listed in split.others if listed.own == text), None)
+    instead = expansion.piece(unit, other.text, (other.line, other.column), depth) if other is not None else None
+    return syntax.Conditional(syntax.Compiled(((split.line, 1, split.text),)), found, instead or unit.opaque(node))

@@ -16,6 +16,7 @@ from haros_ci.follow.libraries import (
     given_away,
     moves,
     patterns,
+    qt_texts,
     texts,
     traits,
     tuples,
@@ -72,7 +73,7 @@ TRANSPARENT = frozenset(
     "std::move std::forward std::ref std::cref boost::ref boost::cref std::string string boost::shared_ptr "
     "boost::static_pointer_cast std::static_pointer_cast boost::dynamic_pointer_cast std::dynamic_pointer_cast "
     "std::const_pointer_cast ros::names::clean boost::filesystem::path std::to_string boost::to_string "
-    "boost::lexical_cast std::function boost::function std::max std::abs CHECK_NOTNULL DCHECK_NOTNULL "
+    "boost::lexical_cast std::function boost::function CHECK_NOTNULL DCHECK_NOTNULL "
     "GazeboRosPtr gazebo::GazeboRosPtr FMT_COMPILE FMT_STRING fmt::runtime".split()
 )
 
@@ -154,13 +155,11 @@ def function(  # noqa: C901 - one branch for each modelled function
         if name == "boost::lexical_cast" and targs and type(targs[0]) is syntax.Type:
             expected = walk.type_in(targs[0], frame)
             if expected.name not in STRINGS:
-                return conversions.converted(_number(value), expected)
+                return conversions.converted(library_numbers.of_text(value), expected)
             if isinstance(value, Known) and issubclass(value.kind, float):
                 is_double = args[0].type is not None and args[0].type.name == "double"
                 return Known(f"{value.value:.17g}") if is_double else walk.opaque("its digits are not known", frame)
             return concatenate((value,))
-        if name in ("std::max", "std::abs"):
-            return None
         return moves.away(walk, frame, args[0]) if name == "std::move" else value
     if name == "ros::package::getPath" and args and isinstance(args[0].value, Known):
         return Known(f"$(find {args[0].value.value})")
@@ -188,12 +187,17 @@ def _put_together(
     """Functions that make tuples and texts, or go through a list."""
     if name == "std::for_each" and len(args) == 3:
         return algorithms.for_each(walk, frame, args)
+    if name in library_numbers.CHOOSING:
+        kind = walk.type_in(targs[0], frame) if targs and type(targs[0]) is syntax.Type else syntax.NOTHING
+        return library_numbers.chosen(name, (conversions.converted(argument.value, kind) for argument in args))
     if name == "std::get" and targs:
         return tuples.got(targs, args)
     if name in ("std::make_tuple", "std::forward_as_tuple"):
         return tuples.made(args)
     if name in formats.FMT and args:
         return formats.fmt(walk, frame, args)
+    if name[:1] in "Qq" and (text := qt_texts.function(name, args)) is not None:
+        return text
     if name in ("sprintf", "snprintf", "std::sprintf", "std::snprintf") and args and args[0].cell is not None:
         walk.state.write(args[0].cell, formats.printf(walk, frame, args[1:], name.endswith("snprintf")))
         return walk.opaque("the length of a text", frame, None, syntax.Type("int"))
@@ -206,15 +210,6 @@ def protected(walk: Walk, this: Object, name: str) -> Cell | None:
         cell = this.fields[name] = Cell(Object("[any]"))
         return cell
     return None
-
-
-def _number(value: Value) -> Value:
-    if isinstance(value, Known) and issubclass(value.kind, str):
-        try:
-            return Known(float(value.of(str)) if "." in value.of(str) else int(value.of(str)))
-        except ValueError:
-            return Opaque("it is no number")
-    return value
 
 
 def method(  # noqa: C901 - one branch for each kind of receiver
@@ -240,6 +235,10 @@ def method(  # noqa: C901 - one branch for each kind of receiver
         result = ros2_selectors.type_constant(receiver)
         if result is not None or isinstance(receiver, (Known, Text, Sequence)):
             return result or walk.opaque("the type of a parameter is not known", frame, location.line)
+    if is_text and isinstance(receiver, (Known, Text)):
+        made = qt_texts.method(walk, receiver, cell, name, args)
+        if made is not None:
+            return made
     if isinstance(receiver, Known):
         return cpp_data.of_known(walk, frame, receiver, cell, name, args)
     if isinstance(receiver, (Text, Choice)) and name in ("c_str", "str", "data"):

@@ -54,6 +54,26 @@ FUNCTIONS = frozenset(
     for name in group.split()
     for space in SPACES
 )
+#: Functions of OpenCV (highgui.hpp, imgcodecs.hpp) and PCL (pcd_io.h, ply_io.h) that take the name of a window or file as a constant.
+FILES_AND_WINDOWS = frozenset(
+    (
+        *(
+            f"{space}{name}"
+            for space in ("", "cv::")
+            for name in "namedWindow destroyWindow imshow imread imwrite moveWindow resizeWindow setWindowTitle setMouseCallback "
+            "setWindowProperty getWindowProperty".split()
+        ),
+        *(
+            f"pcl::io::{name}"
+            for name in "loadPCDFile savePCDFile savePCDFileASCII savePCDFileBinary savePCDFileBinaryCompressed loadPLYFile "
+            "savePLYFile savePLYFileASCII savePLYFileBinary loadOBJFile load save".split()
+        ),
+    )
+)
+#: Methods of widgets that take a ``const QString&`` (doc.qt.io: QLabel, QWidget, QLineEdit, QObject, QGroupBox).
+OF_WIDGETS = frozenset(
+    "setText setWindowTitle setTitle setObjectName setToolTip setStatusTip setPlaceholderText setPlainText setCurrentText".split()
+)
 #: Beginnings of names: logging and checking macros.
 MACROS = ("RCLCPP_", "ROS_", "ROSCONSOLE_", "NODELET_", "EXPECT_", "ASSERT_", "BOOST_ASSERT", "RCUTILS_", "PLUGINLIB_")
 #: Libraries whose functions take what they are given as constants, but for those that get something.
@@ -145,9 +165,11 @@ def is_harmless(name: str, is_python: bool) -> bool:
     if is_python:
         return name in PYTHON or name.startswith(PYTHON_LIBRARIES)
     name = name.removeprefix("::")
-    if name in FUNCTIONS or name in GLOG or name.startswith(MACROS):
+    if name in FUNCTIONS or name in GLOG or name in FILES_AND_WINDOWS or name.startswith(MACROS):
         return True
     last = name.rpartition("::")[2]
+    if last in OF_WIDGETS:
+        return True
     return name.startswith(LIBRARIES) and not last.startswith(GETTERS)
 
 

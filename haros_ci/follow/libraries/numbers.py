@@ -4,12 +4,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 
 from haros_ci.follow.conversions import CHARACTERS, WIDTHS
 from haros_ci.index.types import INTEGERS
 from haros_ci.syntax import Type
-from haros_ci.values.abstract import Known
+from haros_ci.values.abstract import Known, Opaque, Sequence, Value
 
 _DOUBLE = {
     "max": 1.7976931348623157e308,
@@ -26,6 +26,8 @@ _FLOAT = {
     "infinity": math.inf,
 }
 _SIZES = {"CHAR": 8, "SHRT": 16, "INT": 32, "LONG": 64, "LLONG": 64, "INT8": 8, "INT16": 16, "INT32": 32, "INT64": 64}
+#: Functions of <algorithm>, <cmath> and <cstdlib> that give one of the numbers that they are given, or one without its sign.
+CHOOSING = frozenset(("std::max", "std::min", "std::clamp", "std::abs", "std::fabs", "abs", "fabs"))
 #: The macros of <cmath>, <cfloat>, <climits> and <cstdint>, which a workspace may define otherwise.
 CONSTANTS: Mapping[str, float | int] = {
     "M_E": math.e,
@@ -71,3 +73,37 @@ def limit(name: str, kind: Type) -> Known | None:
     if name == "max":
         return Known((1 << (bits - 1 if is_signed else bits)) - 1)
     return Known(-(1 << bits - 1) if is_signed else 0)
+
+
+def chosen(name: str, args: Iterable[Value]) -> Value | None:
+    """One of several numbers, or one without its sign, as CHOOSING names it; None where they are not all known, and of one kind."""
+    values = list(args)
+    if len(values) == 1 and isinstance(values[0], Sequence) and isinstance(values[0].content.value, tuple):
+        values = [cell.value for cell in values[0].content.value]
+    known = [value for value in values if isinstance(value, Known) and value.kind in (int, float)]
+    if not known or len(known) != len(values) or any(value.kind is not known[0].kind for value in known):
+        return None
+    last = name.rpartition("::")[2]
+    numbers = [value.of(int) if value.kind is int else value.of(float) for value in known]
+    if any(number != number for number in numbers):
+        return None
+    if last in ("abs", "fabs"):
+        return None if len(known) != 1 else known[0] if numbers[0] >= 0 else Known(-numbers[0])
+    if last == "clamp":
+        return known[sorted((1, 0, 2), key=numbers.__getitem__)[1]] if _is_range(numbers) else None
+    place = max if last == "max" else min
+    return known[place(range(len(numbers)), key=numbers.__getitem__)] if len(known) > 1 else None
+
+
+def _is_range(numbers: list[int] | list[float] | list[int | float]) -> bool:
+    return len(numbers) == 3 and numbers[1] <= numbers[2]
+
+
+def of_text(value: Value) -> Value:
+    """The number that a text is, as ``boost::lexical_cast`` reads it."""
+    if isinstance(value, Known) and issubclass(value.kind, str):
+        try:
+            return Known(float(value.of(str)) if "." in value.of(str) else int(value.of(str)))
+        except ValueError:
+            return Opaque("it is no number")
+    return value

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from haros_ci.launch.python import container_methods
 from haros_ci.launch.python.run import ScriptEvaluation
 from haros_ci.launch.python.values import (
     Configurations,
@@ -100,11 +101,16 @@ def context_attribute(run: ScriptEvaluation, context: Context, name: str, place:
 
 
 def configurations_attribute(run: ScriptEvaluation, value: Configurations, name: str, place: Location) -> Value:
-    """``get`` of the launch configurations; what else there is to ask is not followed."""
+    """A method of the launch configurations; where these may be others than those that are known, what has them all is not followed."""
     if name == "get":
         return Native(name, lambda run, call: get(run, value.context, call))
     if name in ("update", "setdefault"):
         return Native(name, lambda run, call: set_several(run, value.context, name, call))
+    names = value.context.launch.names_of_configurations() if name in ("items", "keys", "values", "copy") else None
+    if names is not None and len(run.heap.journals) <= value.context.depth:
+        run.budget.take(len(names))
+        every = {key: configuration(run, value.context, key, place) for key in names}
+        return Native(name, lambda run, call: container_methods.ASKING[dict][name](run, every, call))
     return run.unknown(f"launch_configurations.{name} is not followed", place)
 
 

@@ -213,6 +213,9 @@ class Context:
         text = self.get(name)
         return None if text is None else Performed(text.shown, "; ".join(dict.fromkeys(text.reasons)))
 
+    def names_of_configurations(self) -> tuple[str, ...] | None:
+        return None if self.facts.is_open or self.is_again else tuple(self.scope.configurations)
+
     def set_configuration(self, name: str, value: Performed) -> None:
         self.scope.configurations[name] = as_text(value)
 

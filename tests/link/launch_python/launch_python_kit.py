@@ -63,6 +63,9 @@ class Context:
     def configuration(self, name: str) -> Performed | None:
         return self.configurations.get(name)
 
+    def names_of_configurations(self) -> tuple[str, ...] | None:
+        return None if self.is_open else tuple(self.configurations)
+
     def set_configuration(self, name: str, value: Performed) -> None:
         self.configurations[name] = value
 
