@@ -151,7 +151,7 @@ class Unread(ValueError):
 class Linter(Protocol):
     """An adapter module. ``COST`` is seconds per megabyte of source on one core, for scheduling only.
 
-    An adapter may also have ``BATCH_SECONDS``, the estimated length of one process,
+    An adapter may also have ``BATCH_SECONDS``, the estimated length of one process or the least and the most (schedule.seconds_of),
     ``plan(workspace, options, store) -> Iterable[Unit]``, which then takes the place of LANGUAGES and dependencies(),
     ``declined(workspace, units) -> dict[str, str]``, the files that the tool is not asked about with the reason, and
     ``remarks(workspace, groups) -> Iterable[Problem]``, which tells what of the settings files that units have as their group

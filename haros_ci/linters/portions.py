@@ -71,11 +71,11 @@ def _priced(entries: list[tuple[Work, Unit]], known: Mapping[str, int]) -> list[
 
 def _cut(tool: str, entries: list[Priced], largest: int) -> Iterator[Portion]:
     """Neighbours of one group together, each portion at most *largest* or a single unit."""
+    seconds = schedule.seconds_of(entries[0][0].linter, sum(cost for _, _, cost in entries) / 1e6)
+    limit = min(largest, max(1, int(seconds * 1e6)))
     ordered = sorted(entries, key=lambda e: (e[1].group, e[1].file.path, e[0].keys[e[1].file.path]))
     for _, group in groupby(ordered, key=lambda entry: entry[1].group):
         members = list(group)
-        seconds = getattr(members[0][0].linter, "BATCH_SECONDS", schedule.BATCH_SECONDS)
-        limit = min(largest, max(1, int(seconds * 1e6)))
         keys: list[str] = []
         filled = 0
         for work, unit, cost in members:

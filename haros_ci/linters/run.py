@@ -129,7 +129,7 @@ def _analyse(
     jobs: list[tuple[Work, tuple[Unit, ...]]] = []
     for work in works:
         _decline(work, workspace, store)
-        seconds = getattr(work.linter, "BATCH_SECONDS", schedule.BATCH_SECONDS)
+        seconds = schedule.seconds_of(work.linter, schedule.estimate(work.missing, work.linter.COST))
         jobs += ((work, part) for part in schedule.batches(work.missing, work.linter.COST, seconds))
     jobs.sort(key=lambda job: -schedule.estimate(job[1], job[0].linter.COST))  # stable: equal ones stay in order
     total, done = sum(len(units) for _, units in jobs), 0

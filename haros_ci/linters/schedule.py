@@ -6,12 +6,26 @@ from __future__ import annotations
 from collections.abc import Iterable
 from itertools import groupby
 
-from haros_ci.linters.linter import Unit
+from haros_ci.linters.linter import Linter, Unit
 
 #: Estimated seconds of one process: long against a tool's start, short against a run, so that no core idles at its end.
 BATCH_SECONDS = 4.0
 #: Files in one process at most: keeps command lines far below the kernel's limit.
 BATCH_FILES = 200
+
+
+#: So many processes at least, where they get longer than they have to be: cores beyond that would idle.
+LEAST_PROCESSES = 4
+
+
+def seconds_of(linter: Linter, total: float) -> float:
+    """The length of one process of *linter* in seconds, where all of its work is estimated at *total* seconds.
+
+    An adapter's ``BATCH_SECONDS`` is that length, or the least and the most: longer processes read fewer modules twice.
+    """
+    of_adapter = getattr(linter, "BATCH_SECONDS", BATCH_SECONDS)
+    least, most = of_adapter if isinstance(of_adapter, tuple) else (of_adapter, of_adapter)
+    return float(min(most, max(least, total / LEAST_PROCESSES)))
 
 
 def batches(units: Iterable[Unit], cost: float, seconds: float = BATCH_SECONDS) -> list[tuple[Unit, ...]]:

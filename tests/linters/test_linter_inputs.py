@@ -7,9 +7,10 @@ import json
 import os
 import sys
 from pathlib import Path
+from typing import Any
 
 import pytest
-from linter_samples import MemoryStore, workspace
+from linter_samples import FakeLinter, MemoryStore, workspace
 
 from haros_ci.linters import cppcheck_libraries, imports, includes, installed, macro_scan, schedule
 from haros_ci.linters.compile_db import flags_by_file
@@ -453,6 +454,20 @@ def test_batches_are_even_and_of_one_group(given: list[Unit], shapes: list[int])
     assert [len(batch) for batch in made] == shapes
     assert schedule.batches(given[::-1], cost=1.0, seconds=4.0) == made
     assert sorted(u.file.path for batch in made for u in batch) == sorted(u.file.path for u in given)
+
+
+@pytest.mark.parametrize(
+    ("of_adapter", "total", "expected"),
+    [
+        (2.0, 1000.0, 2.0),
+        ((10.0, 40.0), 1000.0, 40.0),
+        ((10.0, 40.0), 100.0, 25.0),
+        ((10.0, 40.0), 5.0, 10.0),
+        ((10.0, 40.0), 0.0, 10.0),
+    ],
+)
+def test_long_work_is_done_by_fewer_and_longer_processes(of_adapter: Any, total: float, expected: float) -> None:
+    assert schedule.seconds_of(FakeLinter(BATCH_SECONDS=of_adapter), total) == expected
 
 
 def test_path_has_no_directory_of_the_workspace(tmp_path: Path) -> None:
