@@ -85,7 +85,7 @@ def chosen(name: str, args: Iterable[Value]) -> Value | None:
         return None
     last = name.rpartition("::")[2]
     numbers = [value.of(int) if value.kind is int else value.of(float) for value in known]
-    if any(number != number for number in numbers):
+    if any(isinstance(number, float) and math.isnan(number) for number in numbers):
         return None
     if last in ("abs", "fabs"):
         return None if len(known) != 1 else known[0] if numbers[0] >= 0 else Known(-numbers[0])
