@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import posixpath
 import re
 from collections.abc import Iterator
 
@@ -28,6 +29,9 @@ _SOURCES = re.compile(
 
 def check(project: Project) -> Iterator[Finding]:
     brings_sources = any(_SOURCES.search(name) for name in project.workspace.names)
+    awaited = {
+        posixpath.basename(path) for path in project.absent
+    }  # directories that git fills from other repositories
     for package in project.packages:
         if package.manifest is None or package.ros is None or is_nested(package):
             continue
@@ -38,6 +42,8 @@ def check(project: Project) -> Iterator[Finding]:
         for need in package.raw.dependencies:
             if need.kind not in _TOOLS and _is_foreign(package, need):
                 is_other = need.name in COUNTERPARTS[package.ros]
+                if not is_other and need.name in awaited:
+                    continue
                 if is_other or not (brings_sources or _is_named(package, need.name) or _is_cloned(project, need.name)):
                     found.setdefault(need.name, need)
         if found:
