@@ -29,9 +29,6 @@ _SOURCES = re.compile(
 
 def check(project: Project) -> Iterator[Finding]:
     brings_sources = any(_SOURCES.search(name) for name in project.workspace.names)
-    awaited = {
-        posixpath.basename(path) for path in project.absent
-    }  # directories that git fills from other repositories
     for package in project.packages:
         if package.manifest is None or package.ros is None or is_nested(package):
             continue
@@ -41,13 +38,17 @@ def check(project: Project) -> Iterator[Finding]:
         found: dict[str, Dependency] = {}
         for need in package.raw.dependencies:
             if need.kind not in _TOOLS and _is_foreign(package, need):
-                is_other = need.name in COUNTERPARTS[package.ros]
-                if not is_other and need.name in awaited:
-                    continue
-                if is_other or not (brings_sources or _is_named(package, need.name) or _is_cloned(project, need.name)):
+                if need.name in COUNTERPARTS[package.ros] or not (brings_sources or _is_elsewhere(package, need.name)):
                     found.setdefault(need.name, need)
         if found:
             yield _finding(package, package.ros, list(found.values()))
+
+
+def _is_elsewhere(package: ProjectPackage, name: str) -> bool:
+    """Whether sources of the package *name* are at hand elsewhere: a file uses it, a page tells to clone it, or git fills a directory of its name."""
+    project = package.project
+    is_awaited = any(posixpath.basename(path) == name for path in project.absent)
+    return is_awaited or _is_named(package, name) or _is_cloned(project, name)
 
 
 def _is_for_both(package: ProjectPackage) -> bool:
