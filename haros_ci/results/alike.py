@@ -46,6 +46,7 @@ OF_ONE_SHAPE = {
 }
 
 _WORD = re.compile(r"\w+")
+_BRACKETS = re.compile(r"[ ]?\((?:[^()]|\([^()]*\)){0,300}\)")
 #: Further things that a finding counts and does not name.
 _COUNTED = re.compile(r" and \d+ more(?= of them|,| are | is )")
 _TOKEN = re.compile(r"[\w./:-]*\w|[^\w\s]")
@@ -139,7 +140,7 @@ def _with(first: Result, others: Sequence[Result]) -> Result:
     if _are_names(names):
         rest = f"the same of {_listed(map(str, names))}"
     elif _are_names(subjects):
-        rest = f"{len(others)} more like it, of {_listed(map(str, subjects))}"
+        rest = f"the same of {_listed(map(str, subjects))}"
     else:
         rest = f"{len(others)} more like it"
     lines = list(dict.fromkeys(str(other.location.line) for other in others))
@@ -170,11 +171,16 @@ def _only_other(one: Sequence[str], other: Sequence[str]) -> str | None:
 def _places(first: Result, others: Sequence[Result], names: Sequence[str | None] | None) -> Iterator[Related]:
     """Where the *others* are and what each says; of those that differ in a name alone, or in names at the same place, what shows it."""
     for i, other in enumerate(others):
-        is_renamed = other.location == first.location and _shape(other.message) == _shape(first.message)
+        is_renamed = other.location == first.location and _plain(other.message) == _plain(first.message)
         if names is None and not (is_renamed and other.related):
             yield Related(other.location, other.message)
         else:
             yield from other.related or (Related(other.location, f"The same of {names[i] if names else ''}."),)
+
+
+def _plain(message: str) -> str:
+    """The first sentence of *message* without names and without what stands in brackets, which the places show."""
+    return _shape(_BRACKETS.sub("", message.partition("; ")[0]).rstrip("."))
 
 
 def _shape(message: str) -> str:
