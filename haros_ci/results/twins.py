@@ -106,17 +106,21 @@ def _plain(line: str) -> str:
 def twins(results: Sequence[Result], text: Callable[[str], str], largest: int) -> tuple[Result, ...]:
     """*results* with those as one that say the same of the same lines of files which are mostly one text."""
     files = _Files(text, largest)
-    alike: dict[tuple[object, ...], list[_Group]] = defaultdict(list)
+    alike: dict[tuple[object, ...], list[int]] = defaultdict(list)
     for i, one in enumerate(results):
-        if one.state in UNITED and not one.suppressions and one.value is None and one.location.line:
-            key = (one.full_id, one.level, one.state, splitext(one.location.path)[1])
-            alike[key].append(_Group(i, one, _said(one, files)))
+        if _is_joined(one):
+            alike[one.full_id, one.level, one.state, splitext(one.location.path)[1]].append(i)
     heads: dict[int, list[_Group]] = {}
-    for groups in alike.values():
-        heads.update(_by_head(groups, files) if len(groups) > 1 else ())
+    for indexes in alike.values():
+        if len({results[i].location.path for i in indexes}) > 1:
+            heads.update(_by_head([_Group(i, results[i], _said(results[i], files)) for i in indexes], files))
     dropped = {group.at for same in heads.values() for group in same}
     joined = {at: _joined(results[at], [group.result for group in same]) for at, same in heads.items()}
     return tuple(joined.get(i, one) for i, one in enumerate(results) if i not in dropped)
+
+
+def _is_joined(one: Result) -> bool:
+    return one.state in UNITED and not one.suppressions and one.value is None and bool(one.location.line)
 
 
 def _by_head(groups: Sequence[_Group], files: _Files) -> Iterator[tuple[int, list[_Group]]]:
