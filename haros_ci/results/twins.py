@@ -41,7 +41,7 @@ class _Group:
 
     at: int
     result: Result
-    said: frozenset[tuple[tuple[str, ...], str]]
+    statements: frozenset[tuple[tuple[str, ...], str]]
 
     def is_twin(self, other: _Group, files: _Files) -> bool:
         """Whether *other* says the same in a file that is mostly the same; what one of the two has beside is let pass.
@@ -51,15 +51,15 @@ class _Group:
         here, there = self.result, other.result
         if here.location.path == there.location.path:
             return False
-        is_part = self.said <= other.said or other.said <= self.said
+        is_part = self.statements <= other.statements or other.statements <= self.statements
         if is_part and files.are_alike(here.location.path, there.location.path):
             return True
-        is_pasted = here.level is not Level.ERROR and len(self.said) > 1 and self.causes() == other.causes()
+        is_pasted = here.level is not Level.ERROR and len(self.statements) > 1 and self.causes() == other.causes()
         return is_pasted and dirname(here.location.path) == dirname(there.location.path)
 
     def causes(self) -> frozenset[tuple[str, ...]]:
         """What the findings say, whatever their lines are."""
-        return frozenset(cause for cause, _ in self.said)
+        return frozenset(cause for cause, _ in self.statements)
 
 
 class _Files:
@@ -113,7 +113,7 @@ def twins(results: Sequence[Result], text: Callable[[str], str], largest: int) -
     heads: dict[int, list[_Group]] = {}
     for indexes in alike.values():
         if len({results[i].location.path for i in indexes}) > 1:
-            heads.update(_by_head([_Group(i, results[i], _said(results[i], files)) for i in indexes], files))
+            heads.update(_by_head([_Group(i, results[i], _statements(results[i], files)) for i in indexes], files))
     dropped = {group.at for same in heads.values() for group in same}
     joined = {at: _joined(results[at], [group.result for group in same]) for at, same in heads.items()}
     return tuple(joined.get(i, one) for i, one in enumerate(results) if i not in dropped)
@@ -125,7 +125,7 @@ def _is_joined(one: Result) -> bool:
 
 def _by_head(groups: Sequence[_Group], files: _Files) -> Iterator[tuple[int, list[_Group]]]:
     """The twins among *groups*: the place of the one that says most, or else comes first, with the others."""
-    waiting = sorted(groups, key=lambda group: -len(group.said))[:MOST]
+    waiting = sorted(groups, key=lambda group: -len(group.statements))[:MOST]
     while waiting:
         head, *waiting = waiting
         same = [group for group in waiting if head.is_twin(group, files)]
@@ -134,7 +134,7 @@ def _by_head(groups: Sequence[_Group], files: _Files) -> Iterator[tuple[int, lis
             waiting = [group for group in waiting if group not in same]
 
 
-def _said(one: Result, files: _Files) -> frozenset[tuple[tuple[str, ...], str]]:
+def _statements(one: Result, files: _Files) -> frozenset[tuple[tuple[str, ...], str]]:
     path = one.location.path
     inside = (one, *(copy for copy in one.copies if copy.location.path == path))
     return frozenset(
