@@ -5,9 +5,21 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from dataclasses import replace
+from posixpath import basename
 
 from haros_ci.api import Check, Finding, Level, Location, Project
-from haros_ci.api.robots import Description, Joint, RobotLink, descriptions, lead, other_reader, place_of, together
+from haros_ci.api.robots import (
+    Description,
+    Joint,
+    RobotLink,
+    descriptions,
+    is_left_over,
+    lead,
+    other_reader,
+    place_of,
+    together,
+)
 
 #: Joints that urdfdom refuses without a <limit> (parseJoint).
 _LIMITED = ("revolute", "prismatic")
@@ -20,7 +32,12 @@ MAX_LINES = 200
 
 
 def check(project: Project) -> Iterator[Finding]:
-    yield from together(_found(project))
+    for found in together(_found(project)):
+        path = found.at.path
+        if found.level is not Level.NOTE and is_left_over(path, project):
+            yield replace(found, level=Level.NOTE, message=f"{found.message} (nothing here loads {basename(path)})")
+        else:
+            yield found
 
 
 def _found(project: Project) -> Iterator[tuple[str, Finding]]:

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import posixpath
 import re
 from collections.abc import Iterator
 
@@ -37,11 +38,17 @@ def check(project: Project) -> Iterator[Finding]:
         found: dict[str, Dependency] = {}
         for need in package.raw.dependencies:
             if need.kind not in _TOOLS and _is_foreign(package, need):
-                is_other = need.name in COUNTERPARTS[package.ros]
-                if is_other or not (brings_sources or _is_named(package, need.name) or _is_cloned(project, need.name)):
+                if need.name in COUNTERPARTS[package.ros] or not (brings_sources or _is_elsewhere(package, need.name)):
                     found.setdefault(need.name, need)
         if found:
             yield _finding(package, package.ros, list(found.values()))
+
+
+def _is_elsewhere(package: ProjectPackage, name: str) -> bool:
+    """Whether sources of the package *name* are at hand elsewhere: a file uses it, a page tells to clone it, or git fills a directory of its name."""
+    project = package.project
+    is_awaited = any(posixpath.basename(path) == name for path in project.absent)
+    return is_awaited or _is_named(package, name) or _is_cloned(project, name)
 
 
 def _is_for_both(package: ProjectPackage) -> bool:

@@ -97,7 +97,7 @@ def _finding(
         at=at,
         message=(
             f"{end.node} reads the parameter {end.name}, which is never set, while {parameter.name} is set, which no node "
-            f"reads: the value has no effect; write {end.name}{likewise}"
+            f"reads: the value has no effect; set {end.name} here{likewise}"
         ),
         about=(end, parameter.name, *names),
         apart=(parameter.name, *(other.name for _, other, _ in others)),

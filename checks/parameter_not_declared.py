@@ -41,8 +41,9 @@ def check(system: System) -> Iterator[Finding]:
                 ).append(parameter)
     for (_, _, section, _), group in groups.items():
         lines = {parameter.place: parameter for parameter in group}
+        keys = sorted({key for _, key in lines})
         yield _finding(
-            min(group, key=lambda parameter: parameter.at.sort_key), section, sorted({key for _, key in lines})
+            min(group, key=lambda parameter: parameter.at.sort_key), section, keys, _declaring(system, group[0], keys)
         )
 
 
@@ -69,7 +70,19 @@ def _meant(parameter_given: Given) -> str:
     return near(parameter_given.key, [name for name in parameter_given.node.names.declared if name not in own]) or ""
 
 
-def _finding(parameter: Given, section: str, keys: Sequence[str]) -> Finding:
+def _declaring(system: System, parameter: Given, keys: Sequence[str]) -> str:
+    """The one other node that declares all *keys*, which have words of their own (no ``rate``); "" if there is none, or several do."""
+    if not all("_" in key for key in keys):
+        return ""
+    found = [
+        node
+        for node in system.nodes
+        if node is not parameter.node and node.names.is_whole and all(key in node.names.declared for key in keys)
+    ]
+    return str(found[0]) if len(found) == 1 else ""
+
+
+def _finding(parameter: Given, section: str, keys: Sequence[str], declaring: str) -> Finding:
     node = parameter.node
     meant = _meant(parameter) if len(keys) == 1 else ""
     if len(keys) == 1:
@@ -80,7 +93,13 @@ def _finding(parameter: Given, section: str, keys: Sequence[str]) -> Finding:
     return Finding(
         at=parameter.at,
         message=f"{node} {what}: the value has no effect"
-        + (f"; did you mean {meant}?" if meant else "; correct the name, or remove it"),
+        + (
+            f"; did you mean {meant}?"
+            if meant
+            else f"; {declaring} declares {'it' if len(keys) == 1 else 'them'}: give {'it' if len(keys) == 1 else 'them'} to that node"
+            if declaring
+            else "; correct the name, or remove it"
+        ),
         about=(node, section if len(keys) > 1 else keys[0]),
         flow=((parameter.tag, f"{node} is given the parameters"), (parameter.at, "this one is not declared")),
         presence=parameter.presence,

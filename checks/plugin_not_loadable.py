@@ -19,9 +19,11 @@ from haros_ci.api.packages import (
     exported_under,
     file_name,
     is_asked_for,
+    is_tree_node,
     is_written,
     loaders,
     may_be_added,
+    may_be_base,
     own_classes,
     registers_otherwise,
     registrations,
@@ -53,8 +55,8 @@ class _Package:
             self.by_type.setdefault(registration.type, []).append(registration)
             self.by_last.setdefault(registration.type.rpartition("::")[2], []).append(registration)
         every = self.package.build.plugins
-        described = (plugin for plugin in every if plugin.base != _COMPONENT)
-        self.described += (plugin for plugin in described if plugin.location.path in self.exports)
+        offered = (p for p in every if p.base != _COMPONENT and p.location.path in self.exports)
+        self.described += (p for p in offered if not is_tree_node(p.base, self.exports[p.location.path]))
         types = {plugin.type for plugin in self.described}
         self.awaits_description = any(registration.type not in types for registration in self.registered)
 
@@ -103,7 +105,7 @@ def _described(found: _Package, others: Container[str]) -> Iterator[Finding]:
         if not here and all(_is_source(macro.location.path) for macro in macros):
             if not is_written(plugin.type, MACROS, inside, found.package.project):
                 yield _left_over(plugin, found, _not_registered(plugin, library, found, macros))
-        elif here and not any(_is_base(macro.base, plugin.base) for macro in here):
+        elif here and not any(may_be_base(macro.base, plugin.base) for macro in here):
             yield _other_base(plugin, found, here[0])
 
 
@@ -213,12 +215,6 @@ def _other_base(plugin: PluginClass, found: _Package, macro: Registration) -> Fi
     )
 
 
-def _is_base(written: str, described: str) -> bool:
-    """Whether two names may mean one base class: a name may be shortened where it is written in code, and be an alias."""
-    one, other = (name.replace(" ", "").removeprefix("::") for name in (written, described))
-    return one == other or "::" not in one or one.rpartition("::")[2] == other.rpartition("::")[2]
-
-
 def _exported(
     found: _Package, loading: Mapping[str, Mapping[str, Location]], wrong: Container[str]
 ) -> Iterator[Finding]:
@@ -228,6 +224,8 @@ def _exported(
             requested = loading.get(plugin.base, {})
             if plugin.location.path != path or plugin.type in wrong or not requested or set(packages) & set(requested):
                 continue
+            if plugin.base.removeprefix("::").partition("::")[0] in packages:
+                continue  # where all look for it
             name, where = sorted(requested.items())[0]
             package, at = list(packages.items())[0]
             yield Finding(

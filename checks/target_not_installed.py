@@ -15,6 +15,7 @@ from haros_ci.api.packages import (
     Uninstalled,
     install_line,
     installs_nothing,
+    is_copy_by_name,
     is_program,
     is_said_not_installed,
     lost_plugins,
@@ -92,6 +93,7 @@ def _nothing(package: ProjectPackage, libraries: list[Finding], left: list[Unins
 
 def _left_out(package: ProjectPackage, group: list[Uninstalled]) -> Finding:
     """One finding for all programs of a kind for which the same is at stake: one install() mends them."""
+    group = sorted(group, key=lambda one: is_copy_by_name(one.at.path))  # what is meant first
     first, kind = group[0], group[0].kind
     runner = "ros2 run and launch do" if package.ros == 2 else "in an install space rosrun and roslaunch do"
     names = [other_uninstalled.shown for other_uninstalled in group]

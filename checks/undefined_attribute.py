@@ -61,7 +61,8 @@ def _no_node(found: list[Unset]) -> Finding:
 def _like(unset: Unset) -> str:
     if any(unset.name == parameter.name for parameter in unset.routine.function.parameters):
         return f"; write {unset.name}, the parameter of {unset.routine.function.name.rpartition('.')[2]}()"
-    found = get_close_matches(unset.name, sorted(unset.known), 1, 0.75)
+    own = unset.routine.function.name.rpartition(".")[2]  # nobody means the method that the line is in
+    found = get_close_matches(unset.name, sorted({*unset.known} - {own}), 1, 0.75)
     return f"; did you mean self.{found[0]}?" if found else "; set it in __init__()"
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from haros_ci.api import Check, Finding, Level, Location, Project, is_slip
 from haros_ci.api.packages import (
@@ -21,6 +21,9 @@ from haros_ci.api.packages import (
 
 _CREATE = re.compile(rf'\bcreate(?:Unique|Shared|Unmanaged)?Instance\s*\(\s*"({PLUGIN_NAME})"')
 
+#: Remarks on what is not written yet.
+_TO_DO = re.compile(r"(?:<!--|#|//)[^\n]*?\b(?:TODO|FIXME|XXX|PLACEHOLDER)\b", re.IGNORECASE)
+
 
 @dataclass(slots=True)
 class _LookupNames:
@@ -29,6 +32,8 @@ class _LookupNames:
     names: dict[str, Location]
     spaces: dict[str, list[str]]
     owners: dict[str, set[str]]
+    #: Those that containers load, and nobody as a part of a robot.
+    components: set[str]
     #: Those of released packages that are not here.
     outside: dict[str, list[str]]
 
@@ -37,10 +42,13 @@ class _LookupNames:
         names: dict[str, Location] = {}
         spaces: dict[str, list[str]] = {}
         owners: dict[str, set[str]] = {}
+        components: set[str] = set()
         for package in project.packages:
             for plugin in package.build.plugins:
                 for name in {plugin.name, plugin.type} if "NodeFactory" in plugin.base else {plugin.name}:
                     names.setdefault(name, plugin.location)
+                    if "NodeFactory" in plugin.base:
+                        components.add(name)
                     space = _plain(name).rpartition("::")[0]
                     spaces.setdefault(space, []).append(name)
                     owners.setdefault(space, set()).add(package.name)
@@ -49,7 +57,7 @@ class _LookupNames:
             space = _plain(name).rpartition("::")[0]
             if space not in spaces:
                 outside.setdefault(space, []).append(name)
-        return cls(names, spaces, owners, outside)
+        return cls(names, spaces, owners, components, outside)
 
 
 def check(project: Project) -> Iterator[Finding]:
@@ -73,7 +81,8 @@ def check(project: Project) -> Iterator[Finding]:
         path = use.location.path
         if path not in left:
             left[path] = unlisted_plugins(project.text(path)) if path.endswith((".yaml", ".yml")) else {}
-        yield _finding(use, meant, known, left[path].get(use.location.line or 0))
+        found = _finding(use, meant, known, left[path].get(use.location.line or 0))
+        yield found if meant else _of_placeholder(found, project)
 
 
 def _meant(use: PluginUse, known: _LookupNames, by_plain: Mapping[str, str]) -> str | None:
@@ -129,8 +138,9 @@ def _finding(use: PluginUse, meant: str, known: _LookupNames, unlisted: Unlisted
     elif meant:
         hint = f"did you mean {meant}?"
     else:
-        names = sorted(known.spaces[_plain(use.name).rpartition("::")[0]])
+        names = sorted({*known.spaces[_plain(use.name).rpartition("::")[0]]} - known.components)
         hint = f"there are {', '.join(names[:3])}" + (" and more" if len(names) > 3 else "")
+        hint = hint if names else "the package has components alone: write the name of a plug-in, or export this one"
     effect = f": loading {use.key} fails"
     if unlisted is not None:
         effect = (
@@ -145,6 +155,16 @@ def _finding(use: PluginUse, meant: str, known: _LookupNames, unlisted: Unlisted
         related=((known.names[meant], f"{meant} is exported here"),) if meant else (),
         apart=(use.name,),
     )
+
+
+def _of_placeholder(finding: Finding, project: Project) -> Finding:
+    """*finding*; a note where a comment in the line, or in the one above it, says that something is still to be done."""
+    at = finding.at
+    lines = project.text(at.path).split("\n")[max((at.line or 1) - 2, 0) : at.line or 1]
+    if not any(_TO_DO.search(line) for line in lines):
+        return finding
+    message = f"{finding.message} (a comment says that this is still to be done)"
+    return replace(finding, message=message, level=Level.NOTE)
 
 
 def _plain(name: str) -> str:

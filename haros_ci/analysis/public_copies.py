@@ -9,7 +9,7 @@ only what is new is shown then: a change to a copy, or one that makes a package 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
 from haros_ci.config.settings import Settings
@@ -42,12 +42,17 @@ _MAKERS = tuple(
         (r"kiss_icp", r"ignaciovizzo@gmail\.com"),
         (r"lio_sam", r"shant@mit\.edu"),
         (r"darknet_ros(?:_msgs)?", r"marko\.bjelonic@|mbjelonic@"),
+        (r"ldlidar(?:_\w+)?", r"@ldrobot\.com"),
+        (r"robotiq_\w+", r"@robotiq\.com"),
+        (r"phantom_omni", r"@danepowell\.com"),
         (r"wit_(?:ros_imu|ros2?_driver|node)", r"@wit-motion\.com"),
     )
 )
+#: Pages that templates put into whatever they make: the MoveIt Setup Assistant its own.
+_OF_TEMPLATES = frozenset(("moveit", "moveit2", "moveit_setup_assistant"))
 #: What templates put in the place of a name or an address.
 _NOBODY = re.compile(
-    r"to-?do|example\.|jane doe|\byou(?:r|@)|^(?:user|root|ubuntu|ros|pi|robot|admin|maintainer)\b|localhost",
+    r"to-?do|example\.|moveit setup assistant|assistant@moveit|jane doe|\byou(?:r|@)|^(?:user|root|ubuntu|ros|pi|robot|admin|maintainer)\b|localhost",
     re.IGNORECASE,
 )
 #: The version of templates: nothing that was released has it.
@@ -92,10 +97,20 @@ def copies(workspace: Workspace) -> frozenset[str]:
     own = [package for package in workspace.packages if package not in candidates]
     if not own:
         return frozenset()
-    people = frozenset[str]().union(*(_people(package, workspace) for package in own))
     words = {_first_word(package.name) for package in own} - _COMMON
-    found = {package.path for package in candidates if _is_foreign(package, people, words, workspace)}
+    foreign = _by_others(candidates, own, words, workspace)
+    found = {package.path for package in foreign}
     return _outermost(found, [package.path for package in workspace.packages if package.path not in found])
+
+
+def _by_others(
+    candidates: Sequence[Package], own: Sequence[Package], words: set[str], workspace: Workspace
+) -> list[Package]:
+    """Those of *candidates* that are by others than all packages beside: whoever has a part in one that is no copy is one of the team."""
+    people = frozenset[str]().union(*(_people(package, workspace) for package in own))
+    foreign = [package for package in candidates if _is_foreign(package, people, words, workspace)]
+    kept = [package for package in candidates if package not in foreign]
+    return _by_others(foreign, [*own, *kept], words, workspace) if kept and foreign else foreign
 
 
 def _is_foreign(package: Package, people: frozenset[str], words: set[str], workspace: Workspace) -> bool:
@@ -112,7 +127,7 @@ def _may_be_public(package: Package, workspace: Workspace) -> bool:
     is_package = knowledge().is_package
     return package.version not in _UNRELEASED and (
         is_package(package.name) is True
-        or any(is_package(name) is True for name in _PAGE.findall(_manifest(package, workspace)))
+        or any(is_package(name) is True for name in {*_PAGE.findall(_manifest(package, workspace))} - _OF_TEMPLATES)
     )
 
 

@@ -82,8 +82,10 @@ from haros_ci.checking.plugins import (
     exported_under,
     file_name,
     is_asked_for,
+    is_tree_node,
     is_written,
     loaders,
+    may_be_base,
     own_classes,
     registers_otherwise,
     registrations,
@@ -101,6 +103,7 @@ from haros_ci.checking.provision import (
     others_of,
 )
 from haros_ci.checking.requirements import distributions_of, left_to_pip, normal, pinned
+from haros_ci.checking.set_aside import is_copy_by_name
 from haros_ci.checking.test_support import is_for_tests, only_for_tests
 from haros_ci.checking.unbuilt import SUFFIXES, loose
 from haros_ci.checking.undeclared import (
@@ -233,6 +236,7 @@ __all__ = [
     "is_asked_for",
     "is_built_against",
     "is_called_after",
+    "is_copy_by_name",
     "is_for_noetic",
     "is_for_tests",
     "is_given_to_another",
@@ -251,7 +255,9 @@ __all__ = [
     "is_to_be_run",
     "is_told_of",
     "is_well_known",
+    "is_tree_node",
     "is_written",
+    "may_be_base",
     "knowledge",
     "lacking",
     "landings",

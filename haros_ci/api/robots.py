@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from haros_ci.checking.robots import descriptions, is_by_itself, lead, other_reader, place_of, together
 from haros_ci.checking.transforms import Broadcast, at_odds, broadcasts, called, origin
+from haros_ci.checking.unloaded import is_left_over
 from haros_ci.model.robot import (
     Description,
     Fault,
@@ -29,6 +30,7 @@ __all__ = [
     "called",
     "descriptions",
     "is_by_itself",
+    "is_left_over",
     "lead",
     "origin",
     "other_reader",

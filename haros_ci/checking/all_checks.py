@@ -14,6 +14,7 @@ from haros_ci.checking.patience import Patience
 from haros_ci.checking.project import Project
 from haros_ci.checking.run import CHECKS, Checked, Under, markers, run_checks, run_on_project
 from haros_ci.checking.system import System
+from haros_ci.checking.unstarted import lowered
 from haros_ci.model.changes import Changes
 from haros_ci.model.workspace import Workspace
 from haros_ci.timing import Spent, now, side_by_side
@@ -77,6 +78,7 @@ def run_all(
     of_checks = _together([found[check.id] for check in of_project])
     unread = frozenset(fault.path for fault in project.workspace.faults)
     of_systems, of_checks = _not_at(unread, found[SYSTEMS]), _not_at(unread, of_checks)
+    of_systems = replace(of_systems, results=tuple(lowered(project, of_systems.results)))
     return of_systems, of_checks, found.get(OF_CHANGES), found[BESIDE]
 
 

@@ -35,6 +35,10 @@ _WRITING = (
     "add_custom_target",
     "execute_process",
 )
+#: Commands that find a library of the system by pkg-config.
+_PKG_CONFIG = ("pkg_check_modules", "pkg_search_module")
+#: The end of names of packages that bring a library which the system may have, too.
+_VENDOR = "_vendor"
 #: Of a call so many lines are looked at.
 MAX_LINES = 200
 _QT = re.compile(r"Qt([456])")
@@ -164,6 +168,8 @@ def _included(package: ProjectPackage, sources: Sources, tests: bool) -> Iterato
             continue
         if is_hidden and not any(is_of_ros(name, package.project) for name in names):
             continue
+        if _is_of_the_system(names, package):
+            continue
         if header.rpartition("/")[2] not in made and not names & lent and exists(names, package):
             yield Need(names, include.location, f"#include <{header}>", True)
 
@@ -176,6 +182,17 @@ def _may_be_of_a_part(header: str, names: frozenset[str], package: ProjectPackag
     if project.knowledge.lists_header(header) or project.knowledge.has_interfaces(top):
         return False
     return any(item.startswith((f"{top}_", f"{top}-")) for item in package.declared)
+
+
+def _is_of_the_system(names: frozenset[str], package: ProjectPackage) -> bool:
+    """Whether the library that packages ``X_vendor`` alone are known to bring is declared as ``X``, or found by pkg-config as ``X``."""
+    stems = frozenset(name.removesuffix(_VENDOR) for name in names if name.endswith(_VENDOR))
+    if not stems:
+        return False
+    found = {
+        re.split(r"[<>=]", word)[0] for command in package.commands(*_PKG_CONFIG) for word in command.arguments[1:]
+    }
+    return not stems.isdisjoint(package.declared) or (len(stems) == len(names) and not stems.isdisjoint(found))
 
 
 def _keepers(header: str, package: ProjectPackage, sources: Sources, is_known: bool) -> set[str]:

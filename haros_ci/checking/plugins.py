@@ -16,6 +16,8 @@ from haros_ci.syntax import Program
 
 #: Macros that register a class with its base, both by the text of the argument (class_loader, register_macro.hpp).
 MACROS = ("PLUGINLIB_EXPORT_CLASS", "CLASS_LOADER_REGISTER_CLASS", "PLUGINLIB_REGISTER_CLASS")
+#: What registers nodes of BehaviorTree.CPP, which loads their libraries by itself.
+_OF_TREES = "BT_REGISTER_NODES"
 #: The old one: package, name, class, base.
 DECLARE = "PLUGINLIB_DECLARE_CLASS"
 _EXPORT = "pluginlib_export_plugin_description_file"
@@ -58,6 +60,8 @@ def registers_otherwise(package: ProjectPackage, paths: Iterable[str]) -> bool:
             return True
         if any(word in body for _, _, body in program.macros for word in (*MACROS, DECLARE)):
             return True
+        if _OF_TREES in package.project.text(path):
+            return True
         if any(_is_unknown(macro, len(arguments)) for macro, arguments, _, _ in program.registered):
             return True
     return False
@@ -69,6 +73,20 @@ def _is_unknown(macro: str, count: int) -> bool:
     return any(word in macro for word in ("PLUGIN", "EXPORT", "REGISTER")) and not macro.startswith(
         ("POINT_CLOUD", "RCLCPP_COMPONENTS", "BENCHMARK", "REGISTER_TYPED", "GZ_", "IGNITION_", "GZ_ADD")
     )
+
+
+def may_be_base(written: str, described: str) -> bool:
+    """Whether two names may mean one base class: a name may be shortened where it is written in code, and be an alias."""
+    one, other = (name.replace(" ", "").removeprefix("::") for name in (written, described))
+    return one == other or "::" not in one or one.rpartition("::")[2] == other.rpartition("::")[2]
+
+
+def is_tree_node(base: str, exports: Iterable[str]) -> bool:
+    """Whether a described class is a node of BehaviorTree.CPP, by its *base*, or the packages that its description is exported to.
+
+    BehaviorTree.CPP loads the library of a node by its own macro; pluginlib has no part in it, whatever describes the class.
+    """
+    return base.removeprefix("::").startswith("BT::") or all(name.startswith("behaviortree_cpp") for name in exports)
 
 
 def exported_under(package: ProjectPackage) -> dict[str, dict[str, Location]]:

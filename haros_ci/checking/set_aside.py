@@ -45,9 +45,14 @@ def lowered(finding: Finding, workspace: Workspace | None) -> Finding:
     return replace(finding, level=Level.NOTE, message=message)
 
 
+def is_copy_by_name(path: str) -> bool:
+    """Whether a file manager has named the file at *path* as a copy: ``drive (copy).py``."""
+    return _COPY.fullmatch(basename(path)) is not None
+
+
 def _is_archived(path: str) -> bool:
     *folders, name = path.split("/")
-    return any(part.lower() in _ARCHIVES for part in folders) or _COPY.fullmatch(name) is not None
+    return any(part.lower() in _ARCHIVES for part in folders) or is_copy_by_name(name)
 
 
 def _is_former(path: str, workspace: Workspace) -> bool:

@@ -14,6 +14,7 @@ from haros_ci.checking.check import Finding
 from haros_ci.checking.installing import landings
 from haros_ci.checking.project import Project
 from haros_ci.results.overwritten import is_overwritten
+from haros_ci.results.result import Result
 from haros_ci.results.rule import Level
 
 #: Files whose text may start a script or import a module.
@@ -27,6 +28,8 @@ _FOUND = re.compile(r"(?:__\w+__|setup|conf|conftest|test_.*|.*_test|main|node|.
 _DYNAMIC = re.compile(
     r"\bimport_module\s*\(|\b__import__\s*\(|\bpkgutil\b|\bspec_from_file_location\b|\bload_source\s*\(|\brun_path\s*\(|\bexecfile\s*\(|\*\.py\b"
 )
+#: Checks of systems that speak of what happens when a line runs.
+OF_A_LINE = frozenset(("parameter-read-undeclared",))
 #: Longer files start nothing; of a workspace with more of them nothing is said.
 _LARGEST = 300_000
 _MOST_FILES = 20_000
@@ -43,11 +46,22 @@ def weighed(project: Project, findings: Iterable[Finding]) -> Iterator[Finding]:
         if finding.at.path.endswith(".py") and is_overwritten(project.text(finding.at.path), finding.at.line or 0):
             continue
         if finding.level is not Level.NOTE and is_unstarted(project, finding.at.path):
-            message = (
-                f"{finding.message.rstrip('. ')} (nothing here starts, installs or imports {basename(finding.at.path)})"
-            )
+            message = _unstarted(finding.message, finding.at.path)
             finding = replace(finding, level=Level.NOTE, message=message)
         yield finding
+
+
+def lowered(project: Project, results: Iterable[Result]) -> Iterator[Result]:
+    """*results* of checks of systems; those of OF_A_LINE in files that nothing starts are notes, and say so."""
+    for result in results:
+        path = result.location.path
+        if result.rule in OF_A_LINE and result.level is not Level.NOTE and is_unstarted(project, path):
+            result = replace(result, level=Level.NOTE, message=_unstarted(result.message, path))
+        yield result
+
+
+def _unstarted(message: str, path: str) -> str:
+    return f"{message.rstrip('. ')} (nothing here starts, installs or imports {basename(path)})"
 
 
 def is_unstarted(project: Project, path: str) -> bool:

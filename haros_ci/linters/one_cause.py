@@ -54,6 +54,9 @@ OF_A_TEXT = frozenset(("cppcheck:stlcstr", "cppcheck:returnDanglingLifetime"))
 #: Rules that both speak of an exception that leaves a function which lets none out: those of one line have one cause.
 OF_A_THROW = frozenset(("cppcheck:exceptThrowInDestructor", "cppcheck:throwInNoexceptFunction"))
 
+#: Rules that both speak of ``raise NotImplemented``: those of one line have one cause.
+OF_A_RAISE = frozenset(("pylint:notimplemented-raised", "pylint:raising-bad-type"))
+
 #: Rules that speak once of each variable of a declaration (``int a, b;``): those of one statement have one cause.
 OF_A_DECLARATION = frozenset(("cppcheck:unusedVariable",))
 
@@ -140,6 +143,8 @@ def _cause(result: Result, text: Callable[[str], str], calls: _Calls) -> _Key | 
         return "stlcstr", path, line
     if rule in OF_A_THROW and line:
         return "throw", path, line
+    if rule in OF_A_RAISE and line:
+        return "raise", path, line
     if rule in OF_A_PAIR and line:
         return "iterators", path, line
     if result.tool == TOOL and result.rule not in RULES and line and "<" in result.message:

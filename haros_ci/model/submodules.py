@@ -23,8 +23,11 @@ def submodules(workspace: Workspace) -> tuple[str, ...]:
 
 
 def absent(workspace: Workspace) -> frozenset[str]:
-    """The directories of submodules without a file in them: what they hold is there wherever they are checked out."""
-    every = frozenset(submodules(workspace))
+    """The directories of submodules without a file in them: what they hold is there wherever they are checked out.
+
+    Those are among them that git has as commits of other repositories, and that no ``.gitmodules`` names.
+    """
+    every = frozenset(submodules(workspace)) | workspace.unfetched
     if not every:
         return every
     there: set[str] = set()

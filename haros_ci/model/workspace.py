@@ -109,6 +109,7 @@ class Workspace:
     maps); empty where that is not known. ``executables`` are those of the paths that can be scripts whose execute bit is set, None
     where that is not known: on a file system without modes. ``settings`` is where the settings of linters are read instead
     of here: at the base revision of a change, so that it cannot bring its own. ``hiding`` is what a change does to escape.
+    ``unfetched`` are the directories that git has as commits of other repositories, and that are empty here.
     """
 
     root: Path
@@ -123,6 +124,7 @@ class Workspace:
     executables: frozenset[str] | None = None
     settings: Reader | None = None
     hiding: Hiding = Hiding()
+    unfetched: frozenset[str] = frozenset()
 
     def text(self, path: str) -> str:
         """The decoded text of the file at *path*; "" if it is not there or not text."""

@@ -27,7 +27,7 @@ OF_ONE_CAUSE = frozenset(
     )
 )
 #: Parts of a message, after a semicolon, that tell the configuration which shows the finding, or count other places of the file.
-_SEEN = ("in ", "seen with ", "so has ", "so have ")
+_SEEN = ("in ", "seen with ", "so has ", "so have ", "the other node is at ")
 #: A finding names no more other places than this; the message names NAMED files.
 MOST, NAMED = 40, 2
 
@@ -38,7 +38,7 @@ def across(results: Sequence[Result]) -> tuple[Result, ...]:
     for i, one in enumerate(results):
         is_open = one.state in UNITED and not one.suppressions and not one.copies
         if is_open and one.subject and one.full_id in OF_ONE_CAUSE:
-            groups[one.full_id, one.level, one.state, one.subject, _cause(one.message)].setdefault(one.location.path, i)
+            groups[one.full_id, one.level, one.state, one.subject, cause(one.message)].setdefault(one.location.path, i)
     heads: dict[int, list[Result]] = {}
     for first, *others in (tuple(places.values()) for places in groups.values()):
         if others:
@@ -49,22 +49,28 @@ def across(results: Sequence[Result]) -> tuple[Result, ...]:
     )
 
 
-def _cause(message: str) -> tuple[str, ...]:
+def cause(message: str) -> tuple[str, ...]:
     """The parts of *message* that do not tell where it was seen."""
     return tuple(part for part in message.rstrip(".").split("; ") if not part.startswith(_SEEN))
 
 
 def standing_for(first: Result, others: Sequence[Result], where: str) -> Result:
     """*first*, which says in words (*where*: ``2 copies``) that it stands for *others*, and has their places."""
-    names = ", ".join(other.location.path for other in others[:NAMED])
-    more = ", …" if len(others) > NAMED else ""
-    places = tuple(Related(other.location, f"The same in {other.location.path}.") for other in others[:MOST])
+    words, places = places_named(others, where)
     return replace(
         first,
-        message=f"{first.message.rstrip('.')}; and the same in {where} ({names}{more})",
+        message=f"{first.message.rstrip('.')}; {words}",
         related=(*first.related, *places),
         copies=tuple(others),
     )
+
+
+def places_named(others: Sequence[Result], where: str) -> tuple[str, tuple[Related, ...]]:
+    """What a finding says of *others* (*where*: ``2 copies``), and their places."""
+    names = ", ".join(other.location.path for other in others[:NAMED])
+    more = ", …" if len(others) > NAMED else ""
+    places = tuple(Related(other.location, f"The same in {other.location.path}.") for other in others[:MOST])
+    return f"and the same in {where} ({names}{more})", places
 
 
 def _joined(first: Result, others: Sequence[Result]) -> Result:

@@ -37,14 +37,18 @@ NEAR = 3
 OF_ONE_CAUSE = {"haros-ci:parameter-file-missing": ": ", "haros-ci:malformed-launch-file": "\n"}
 
 #: Errors of one file that have one cause if they say the same but for names: elements of a robot's description that all lack the prefix of xacro, joints that all
-#: lack the same, targets of which none waits for the same generation.
+#: lack the same, targets of which none waits for the same generation, directories that git has not kept.
 OF_ONE_SHAPE = {
     "haros-ci:undefined-in-xacro": " has the name of a macro, but ",
     "haros-ci:broken-robot-model": ": urdfdom rejects the whole robot",
     "haros-ci:generation-not-awaited": ", but does not depend on the generation",
+    "haros-ci:missing-install-source": ": git stores no directory that is empty",
 }
 
 _WORD = re.compile(r"\w+")
+_BRACKETS = re.compile(r"[ ]?\((?:[^()]|\([^()]*\)){0,300}\)")
+#: Further things that a finding counts and does not name.
+_COUNTED = re.compile(r" and \d+ more(?= of them|,| are | is )")
 _TOKEN = re.compile(r"[\w./:-]*\w|[^\w\s]")
 
 
@@ -54,7 +58,7 @@ def joined(results: Sequence[Result]) -> tuple[Result, ...]:
     Those of one rule, level, state and line are alike whatever they say; warnings and notes also if they say the same, but for
     names, of one file. Errors at two lines stay two, as each is mended by itself, unless they say the same of the same subject: that has
     one cause, as with a program that two branches of a launch file start; or the same, but for names that are not there, of neighbouring lines. Those that stand
-    for copies already are joined at one line alone.
+    for copies already are joined at one line, or, where they are no errors, with those in the same copies.
     """
     groups: dict[tuple[object, ...], list[int]] = defaultdict(list)
     for i, result in enumerate(results):
@@ -79,26 +83,28 @@ def _alike(indexes: Sequence[int], results: Sequence[Result]) -> Iterator[list[i
         if line is not None:
             by_line[line].append(i)
     by_shape: dict[tuple[str, ...], list[int]] = defaultdict(list)
+    found_near = _neighbours(by_line, results)
+    near = {i for group in found_near for i in group}
     for found in by_line.values():
-        if len(found) > 1:
+        if len(found) > 1 and near.isdisjoint(found):
             yield found
+        if len(found) > 1:
             continue
         result = results[found[0]]
         if (mark := OF_ONE_SHAPE.get(result.full_id)) and mark in result.message:
-            by_shape[
-                (_shape(result.message.partition("; ")[0]), *(copy.location.path for copy in result.copies))
-            ].append(found[0])
+            shape = _shape(_COUNTED.sub("", result.message.partition("; ")[0]).replace(", which are ", ", which is "))
+            by_shape[(shape, *(copy.location.path for copy in result.copies))].append(found[0])
+            continue
+        if result.level is not Level.ERROR:
+            others = sorted({copy.location.path for copy in result.copies})
+            by_shape[(_WORD.sub("_", result.message), *others)].append(found[0])
             continue
         if result.copies:
             continue
-        if result.level is not Level.ERROR:
-            by_shape[(_WORD.sub("_", result.message),)].append(found[0])
-        elif result.full_id in OF_ONE_CAUSE:
+        if result.full_id in OF_ONE_CAUSE:
             by_shape[(result.message.partition(OF_ONE_CAUSE[result.full_id])[0],)].append(found[0])
         elif result.subject:  # what follows the first semicolon is advice, and the configuration that shows it
             by_shape[(result.message.partition("; ")[0].rstrip("."), *result.subject)].append(found[0])
-    found_near = _neighbours(by_line, results)
-    near = {i for group in found_near for i in group}
     yield from found_near
     for group in by_shape.values():
         rest = [i for i in group if i not in near]
@@ -108,19 +114,23 @@ def _alike(indexes: Sequence[int], results: Sequence[Result]) -> Iterator[list[i
 
 def _neighbours(by_line: Mapping[int, Sequence[int]], results: Sequence[Result]) -> list[list[int]]:
     """The groups of errors on names that are not there, of lines that follow each other closely, which say the same but for the names."""
-    found: list[list[int]] = []
-    shape, last = "", 0
+    shapes, last = {""}, 0
+    groups: list[tuple[int, list[int]]] = []
     for line, here in sorted(by_line.items()):
-        result = results[here[0]]
-        if len(here) > 1 or result.copies or result.level is not Level.ERROR or result.full_id not in OF_NAMES:
+        if not all(_is_of_a_name(results[i]) for i in here):
             continue
-        now = _shape(result.message.partition("; ")[0].rstrip("."))
-        if now == shape and line - last <= NEAR:
-            found[-1].append(here[0])
+        now = {_shape(results[i].message.partition("; ")[0].rstrip(".")) for i in here}
+        if groups and now == shapes and line - last <= NEAR:
+            groups[-1] = (groups[-1][0] + 1, [*groups[-1][1], *here])
         else:
-            found.append([here[0]])
-        shape, last = now, line
-    return [group for group in found if len(group) > 1]
+            groups.append((1, [*here]))
+        shapes, last = now, line
+    return [group for lines, group in groups if lines > 1]
+
+
+def _is_of_a_name(result: Result) -> bool:
+    """Whether it is an error on a name that is not there, which stands for itself."""
+    return not result.copies and result.level is Level.ERROR and result.full_id in OF_NAMES
 
 
 def _with(first: Result, others: Sequence[Result]) -> Result:
@@ -130,7 +140,7 @@ def _with(first: Result, others: Sequence[Result]) -> Result:
     if _are_names(names):
         rest = f"the same of {_listed(map(str, names))}"
     elif _are_names(subjects):
-        rest = f"{len(others)} more like it, of {_listed(map(str, subjects))}"
+        rest = f"the same of {_listed(map(str, subjects))}"
     else:
         rest = f"{len(others)} more like it"
     lines = list(dict.fromkeys(str(other.location.line) for other in others))
@@ -161,11 +171,16 @@ def _only_other(one: Sequence[str], other: Sequence[str]) -> str | None:
 def _places(first: Result, others: Sequence[Result], names: Sequence[str | None] | None) -> Iterator[Related]:
     """Where the *others* are and what each says; of those that differ in a name alone, or in names at the same place, what shows it."""
     for i, other in enumerate(others):
-        is_renamed = other.location == first.location and _shape(other.message) == _shape(first.message)
+        is_renamed = other.location == first.location and _plain(other.message) == _plain(first.message)
         if names is None and not (is_renamed and other.related):
             yield Related(other.location, other.message)
         else:
             yield from other.related or (Related(other.location, f"The same of {names[i] if names else ''}."),)
+
+
+def _plain(message: str) -> str:
+    """The first sentence of *message* without names and without what stands in brackets, which the places show."""
+    return _shape(_BRACKETS.sub("", message.partition("; ")[0]).rstrip("."))
 
 
 def _shape(message: str) -> str:

@@ -21,6 +21,7 @@ from haros_ci.results.across import across, standing_for
 from haros_ci.results.comments import bare, lines_of, syntax
 from haros_ci.results.result import Report, Result, Run
 from haros_ci.results.scope import LineScopes, scopes
+from haros_ci.results.twins import twins
 
 #: Texts of more characters are compared with no other.
 LARGEST = 400_000
@@ -73,7 +74,24 @@ def _joined_run(run: Run, texts: _Texts) -> Run:
                 copies[first] = [run.results[i] for i in others]
                 dropped.update(others)
     results = [_joined(one, copies[i]) if i in copies else one for i, one in enumerate(run.results) if i not in dropped]
-    return replace(run, results=across(beside.joined(results)))
+    joined = twins(across(beside.joined(results)), texts.text, LARGEST)
+    return replace(run, results=_with_originals(joined, run.results))
+
+
+def _with_originals(joined: Sequence[Result], results: Sequence[Result]) -> tuple[Result, ...]:
+    """*joined*, each with those of *results* that it stands for: what stood for others on the way has other words since."""
+    own = {id(result) for result in results}
+    at: dict[tuple[str, Location], list[Result]] = defaultdict(list)
+    for result in results:
+        at[result.full_id, result.location].append(result)
+
+    def original(copy: Result) -> Result:
+        same = at[copy.full_id, copy.location] if id(copy) not in own else ()
+        return next((one for one in same if copy.message.startswith(one.message.rstrip("."))), copy)
+
+    return tuple(
+        replace(result, copies=tuple(map(original, result.copies))) if result.copies else result for result in joined
+    )
 
 
 def _groups(results: Sequence[tuple[int, Result]], texts: _Texts) -> Iterable[list[int]]:
@@ -109,7 +127,7 @@ class _Texts:
     def __init__(
         self, text: Callable[[str], str], language: Callable[[str], str], package: Callable[[str], str]
     ) -> None:
-        self._text, self._language, self._package = text, language, package
+        self.text, self._language, self._package = text, language, package
         self._lines: dict[str, list[str]] = {}
         self._units: dict[tuple[str, int, int], tuple[str, ...]] = {}
         self._names: dict[str, frozenset[str]] = {}
@@ -136,7 +154,7 @@ class _Texts:
 
     def _of(self, path: str) -> list[str]:
         if path not in self._lines:
-            text = self._text(path)
+            text = self.text(path)
             kind = syntax(self._language(path), path)
             lines = lines_of(text) if len(text) <= LARGEST else []
             self._lines[path] = [bare(line, kind).strip() for line in lines]
@@ -150,7 +168,7 @@ class _Texts:
 
     def _function(self, path: str, line: int) -> Iterable[tuple[int, int]]:
         if path not in self._scopes:
-            self._scopes[path] = scopes(self._text(path), self._language(path))
+            self._scopes[path] = scopes(self.text(path), self._language(path))
         known = self._scopes[path]
         name = known.at(line)
         if not name:

@@ -3,9 +3,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+import re
+from collections.abc import Collection, Iterator, Sequence
 
-from haros_ci.model.workspace import LATIN_1, Workspace
+from haros_ci.model.workspace import LATIN_1, Problem, Workspace
 from haros_ci.results.confined import sentence
 from haros_ci.results.result import Coverage
 
@@ -27,7 +28,9 @@ def coverage(
             "No package.xml was found: files are analysed one by one, nothing is known of packages. Run haros-ci in a workspace of ROS, or a package."
         )
     problems = (problem for problem in workspace.problems if problem.message != LATIN_1)
-    unread = list(dict.fromkeys(problem.path for problem in (*problems, *workspace.hiding.unread)))
+    unread = list(
+        dict.fromkeys(path for problem in (*problems, *workspace.hiding.unread) for path in _paths(problem, workspace))
+    )
     if unread:
         named = ", ".join(unread[:_NAMED]) + (f" and {len(unread) - _NAMED} more" if len(unread) > _NAMED else "")
         unseen.append(f"What could not be read, or not in full, as the warnings say: {named}.")
@@ -50,6 +53,14 @@ def coverage(
         unseen=tuple(unseen),
         sandbox=sentence(ways),
     )
+
+
+def _paths(problem: Problem, workspace: Workspace) -> Iterator[str]:
+    """The place of *problem*, and the directories beside it that git fills from other repositories and of which it speaks."""
+    yield problem.path
+    if problem.path in workspace.unfetched:
+        words = set(re.split(r"[ ,:;]+", problem.message))
+        yield from sorted(workspace.unfetched & words)
 
 
 #: How to see them all the same.

@@ -38,6 +38,11 @@ class Files:
     def has(self, path: str) -> bool:
         return path in self.listed or self.workspace.text(path) != ""
 
+    def why_not(self, path: str) -> str:
+        """Why the file at *path* is not read: as the end of a sentence."""
+        names = self.workspace.names
+        return "is no text file of the workspace" if not names or path in names else "is not in the workspace"
+
     def place(self, text: Text) -> Place:
         """Where *text*, an absolute path to roslaunch, leads; only paths below packages and ``$(dirname)`` do."""
         if not text.known:

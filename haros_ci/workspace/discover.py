@@ -80,6 +80,7 @@ def discover(
     if scope.named or not scope.files:
         lacking = tuple(unfetched(workspace, listing.empty, excludes))
         workspace = replace(workspace, problems=in_order((*workspace.problems, *lacking)))
+    workspace = replace(workspace, unfetched=frozenset(listing.empty))
     if change is not None:
         workspace = change.applied_to(workspace, candidates, scope, excludes)
     if "." in scope.directories:

@@ -32,6 +32,7 @@ _TREES: tuple[tuple[str, str, tuple[str, ...]], ...] = (
     ("lwip", "lwip", ("tcp.h", "pbuf.h", "netif.h")),
     ("phoenix", "phoenix", ("ErrorCode.h", "paramEnum.h", "motorcontrol/can/TalonSRX.h")),
     ("darknet", "darknet", ("include/darknet.h", "src/gemm.c", "src/network.c")),
+    ("libsocket", "libsocket", ("socket.hpp", "inetbase.hpp", "unixbase.hpp")),
     ("freertos", "", ("tasks.c", "queue.c", "list.c", "include/FreeRTOS.h")),
 )
 _BY_FIRST: dict[str, list[tuple[str, str, tuple[str, ...]]]] = {}

@@ -123,14 +123,14 @@ class Unused(Judged):
         stem, directory = _stem(file.path), _directory(file.path)
         if not file.path.endswith(".py"):
             return False
-        if _is_archived(file.path) and _ARCHIVED_TEST.fullmatch(stem):
+        if is_archived(file.path) and _ARCHIVED_TEST.fullmatch(stem):
             return True
         if _FOUND.fullmatch(stem) or _OF_TOOLS.intersection(directory.split("/")):
             return False
         return self._is_set_aside(file) or self._is_superseded(stem, directory) or self._is_given_up(file.path)
 
     def _is_set_aside(self, file: SourceFile) -> bool:
-        return _is_archived(file.path) or self._is_sketch(file)
+        return is_archived(file.path) or self._is_sketch(file)
 
     def _is_sketch(self, file: SourceFile) -> bool:
         """Whether the file is in no package, beside packages, and in a directory of notes or trials by its name."""
@@ -144,10 +144,9 @@ class Unused(Judged):
         return head is not None and _GIVEN_UP.search(head[0]) is not None
 
     def _is_superseded(self, stem: str, directory: str) -> bool:
-        found = _SUPERSEDED.fullmatch(stem)
-        if found is None:
+        base = superseded(stem)
+        if not base:
             return False
-        base = found["a"] or found["b"]
         beside = (_stem(path) for path in self._beside.get(directory, ()))
         return any(name == base or (name != stem and name.startswith(f"{base}_")) for name in beside)
 
@@ -160,7 +159,14 @@ class Unused(Judged):
         return found
 
 
-def _is_archived(path: str) -> bool:
+def superseded(stem: str) -> str:
+    """What a file was called of which this one, by its name without its ending, is a former version: ``arm`` for ``arm_old``; "" for others."""
+    found = _SUPERSEDED.fullmatch(stem)
+    return "" if found is None else found["a"] or found["b"]
+
+
+def is_archived(path: str) -> bool:
+    """Whether the file at *path* is in a directory of what is no longer used, by its name."""
     return not _ARCHIVES.isdisjoint(_directory(path).lower().split("/"))
 
 

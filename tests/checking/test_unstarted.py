@@ -3,12 +3,16 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
-from haros_ci.api.testing import said
+from haros_ci.analysis.architectures import project_of
+from haros_ci.api.testing import read, said
 from haros_ci.checking.page import Example
+from haros_ci.checking.run import run_checks
+from haros_ci.checking.unstarted import lowered
 from haros_ci.registry import checks
 from haros_ci.results.rule import Level
 
@@ -78,6 +82,39 @@ def test_modules_of_ros2(entry: str, expected: Level, tmp_path: Path) -> None:
         "demo/grasp_and_lift.py": SPIN,
     }
     assert level(files, tmp_path) is expected
+
+
+READS = (
+    "#!/usr/bin/env python3\nimport rclpy\n\nrclpy.init()\nnode = rclpy.create_node('n')\nRATE = node.get_parameter('rate')\n\n\n"
+    "def main():\n    rclpy.spin(node)\n\n\nmain()\n"
+)
+
+
+@pytest.mark.parametrize(
+    ("entry", "more", "expected"),
+    [
+        ('"other = demo.other:main"', {}, Level.NOTE),
+        ('"lift = demo.grasp_and_lift:main"', {}, Level.ERROR),
+        ('"other = demo.other:main"', {"demo/other.py": "from demo import grasp_and_lift\n"}, Level.ERROR),
+        ('"other = demo.other:main"', {"README.md": "python3 grasp_and_lift.py\n"}, Level.ERROR),
+    ],
+)
+def test_findings_of_systems(entry: str, more: dict[str, str], expected: Level, tmp_path: Path) -> None:
+    files = {
+        "package.xml": ROS2,
+        "setup.py": SETUP.format(entry).replace('# glob("demo/*.py")', ""),
+        "demo/__init__.py": "",
+        "demo/grasp_and_lift.py": READS,
+        **more,
+    }
+    workspace, made, every = read(files, tmp_path)
+    project = project_of(made, workspace, every)
+    check = next(check for check in checks() if check.id == "parameter-read-undeclared")
+    (result,) = lowered(project, run_checks((check,), every, "haros-ci").results)
+    assert result.level is expected
+    assert ("nothing here starts" in result.message) == (expected is Level.NOTE)
+    other = replace(result, rule="topic-type-mismatch", level=Level.ERROR)
+    assert list(lowered(project, [other])) == [other]
 
 
 AGAIN = "import rospy\n\n\ndef talk():\n    return rospy.Publisher('a')\n\n\n{}def talk():\n    return 1\n\n\ntalk()\n"

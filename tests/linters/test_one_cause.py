@@ -301,3 +301,21 @@ def test_exceptions_that_leave_a_function(results: list[Result], expected: list[
 )
 def test_instances_of_a_template(names: list[str], expected: list[list[int | None]]) -> None:
     assert lines([thrown(3, name, "noCopyConstructor") for name in names]) == expected
+
+
+def raising(line: int, rule: str = "raising-bad-type", tool: str = "pylint") -> Result:
+    return Result(tool, rule, Level.ERROR, "Raising NotImplementedType.", Location("a.py", line, 5))
+
+
+@pytest.mark.parametrize(
+    ("results", "expected"),
+    [
+        ([raising(3, "notimplemented-raised"), raising(3)], [[3, 3]]),
+        ([raising(3, "notimplemented-raised"), raising(5)], [[3], [5]]),
+        ([raising(3), raising(5)], [[3], [5]]),
+        ([raising(3, "notimplemented-raised"), raising(3, tool="other")], [[3], [3]]),
+        ([raising(3, "notimplemented-raised"), raising(3, "not-callable")], [[3], [3]]),
+    ],
+)
+def test_what_is_no_exception(results: list[Result], expected: list[list[int | None]]) -> None:
+    assert lines(results) == expected

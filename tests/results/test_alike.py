@@ -50,24 +50,36 @@ def test_at_one_place_different_sentences_are_notes() -> None:
     assert one.related[-1] == Related(Location("package.xml", 46), other.message)
 
 
+def test_at_one_place_what_stands_in_brackets_is_shown_by_the_places() -> None:
+    message = "demo needs Qt5 to build (find_package(Qt5)), but package.xml does not declare it; add Qt5 (or qt5)."
+    qt = replace(lacking("Qt5"), message=message, subject=("Qt5", "demo"))
+    first = replace(lacking("roscpp"), message=f"{lacking('roscpp').message.rstrip('.')}; add roscpp.")
+    (one,) = joined([replace(first, subject=("demo", "roscpp")), qt])
+    assert one.message.endswith("; and the same of Qt5")
+    assert [place.message for place in one.related] == [
+        "needs roscpp: find_package(roscpp)",
+        "needs Qt5: find_package(Qt5)",
+    ]
+
+
 def test_what_they_are_about_is_named_where_sentences_differ() -> None:
     one = replace(lacking("roscpp"), subject=("demo", "roscpp"))
     others = [replace(lacking(name), message=f"{name} is idle", subject=("demo", name)) for name in ("rospy", "tf")]
     (whole,) = joined([one, *others])
-    assert whole.message.endswith("; and 2 more like it, of rospy and tf")
+    assert whole.message.endswith("; and the same of rospy and tf")
     assert [place.message for place in whole.related[1:]] == ["rospy is idle", "tf is idle"]
 
 
 @pytest.mark.parametrize(
     ("first", "others", "named"),
     [
-        (("demo", "librealsense"), [("demo", "tf")], ", of tf"),
+        (("demo", "librealsense"), [("demo", "tf")], "tf"),
         (
             ("aa", "demo"),
             [("demo", "tf"), ("bb", "demo")],
-            ", of tf and bb",
+            "tf and bb",
         ),  # sorted, so the package changes its place
-        (("demo", "tf"), [("aa", "demo")], ", of aa"),
+        (("demo", "tf"), [("aa", "demo")], "aa"),
         (("demo", "tf"), [("aa", "other")], ""),
         (("demo", "tf"), [("demo", "tf")], ""),
         (("demo",), [("demo", "tf")], ""),
@@ -78,7 +90,7 @@ def test_what_another_is_about_whatever_its_place(
 ) -> None:
     rest = [replace(lacking("x"), message=f"{subject} is idle", subject=subject) for subject in others]
     (one,) = joined([replace(lacking("y"), subject=first), *rest])
-    assert one.message.endswith(f"; and {len(others)} more like it{named}")
+    assert one.message.endswith(f"; and the same of {named}" if named else f"; and {len(others)} more like it")
 
 
 def test_many_are_counted() -> None:
@@ -104,7 +116,7 @@ def test_at_one_place_what_shows_them_says_more_than_their_sentences() -> None:
         subject=("demo", "yaml-cpp"),
     )
     (one,) = joined([first, second, keyed])
-    assert one.message.endswith("; and 2 more like it, of rospy and yaml-cpp")
+    assert one.message.endswith("; and the same of rospy and yaml-cpp")
     assert [place.message for place in one.related] == [
         f"needs {name}: find_package({name})" for name in ("roscpp", "rospy", "yaml-cpp")
     ]
@@ -268,10 +280,55 @@ def test_names_that_are_not_there_on_neighbouring_lines() -> None:
     assert [copy.location.line for copy in two.copies] == [4]
 
 
+def test_two_names_that_are_not_there_on_one_line_and_more_below() -> None:
+    results = [unknown("b0", 171), unknown("model", 171, more="; did you mean 'mode'?"), unknown("b1", 174)]
+    (one,) = joined([*results, unknown("b2", 177)])
+    assert [copy.location.line for copy in one.copies] == [171, 174, 177]
+    assert one.message.startswith("Undefined variable 'b0'; and ")
+
+
+def test_arguments_that_the_same_copies_have() -> None:
+    copies = [(unused(name, 1, "b.launch"),) for name in "ab"]
+    first, other = (replace(unused(name, n), copies=same) for n, (name, same) in enumerate(zip("ab", copies), 1))
+    (one,) = joined([first, other])
+    assert one.copies == (*copies[0], other, *copies[1])
+
+
+def empty(folder: str, line: int, hint: str = "or add a file to {}: git stores no directory that is empty") -> Result:
+    message = f"demo installs {folder}, which is not there: colcon build stops with an error; remove it, {hint.format(folder)}."
+    subject = (folder, "demo")
+    return Result(
+        "haros-ci", "missing-install-source", Level.ERROR, message, Location("CMakeLists.txt", line), subject=subject
+    )
+
+
+def unawaited(target: str, line: int, includes: str, package: str = "demo") -> Result:
+    message = f"target {target} includes {includes} generated in {package}, but does not depend on the generation: a clean build may fail; add add_dependencies({target} x)."
+    subject = (target, package)
+    return Result(
+        "haros-ci", "generation-not-awaited", Level.ERROR, message, Location("CMakeLists.txt", line), subject=subject
+    )
+
+
+def test_directories_that_git_has_not_kept() -> None:
+    (one,) = joined([empty("include", 60), empty("meshes", 88), empty("maps", 96)])
+    assert one.message.endswith("; and the same of meshes and maps (lines 88 and 96)")
+    assert len(joined([empty("maps", 60), empty("mesh", 88, "did you mean meshes?")])) == 2
+    assert len(joined([empty("maps", 60), replace(empty("m", 88), location=Location("b/CMakeLists.txt", 88))])) == 2
+
+
+def test_targets_that_include_one_or_several_generated_headers() -> None:
+    several = unawaited("control", 73, "a.h and 2 more, which are")
+    (one,) = joined([several, unawaited("vision", 88, "b.h, which is"), unawaited("arm", 92, "c.h, which is")])
+    assert one.message.endswith("; and the same of vision and arm (lines 88 and 92)")
+    assert len(joined([several, replace(unawaited("vision", 88, "b.h, which is"), level=Level.NOTE)])) == 2
+
+
 @pytest.mark.parametrize(
     "results",
     [
         [unknown("rospy", 13), unknown("Pose", 17)],
+        [unknown("a", 13), unknown("b", 17), unknown("c", 21)],
         [unknown("rospy", 13), unknown("Pose", 14, more=" in the class")],
         [unknown("rospy", 13, "not-callable"), unknown("Pose", 14, "not-callable")],
         [unknown("rospy", 13), replace(unknown("Pose", 14), location=Location("b.py", 14))],

@@ -47,7 +47,30 @@ FIRES += [
     ({**OWN, "src/imu": ("wit_ros_imu", (("kevin", "kevin@wit-motion.com"),), "0.1.0")}, {"src/imu"}),
     ({**OWN, "src/lidar": ("livox_ros2_driver", (("feng", "dev@livoxtech.com"),), "0.0.0")}, {"src/lidar"}),
 ]
+FIRES += [
+    (
+        {**OWN, "src/ldlidar": ("ldlidar_stl_ros2", (("LDROBOT", "support@ldrobot.com"),), "3.0.2")},
+        {"src/ldlidar"},
+    ),
+    (
+        {**OWN, "src/gripper": ("robotiq_3f_gripper_control", (("JP", "ros@robotiq.com"),), "1.0.0")},
+        {"src/gripper"},
+    ),
+    ({**OWN, "src/omni": ("phantom_omni", (("Dane", "git@danepowell.com"),), "1.0.0")}, {"src/omni"}),
+]
+EVA = ("Eva Kant", "eva@lasers.org")
+ASSISTANT = ("MoveIt Setup Assistant", "assistant@moveit.ros.org")
 QUIET = [
+    {**OWN, "src/gripper": ("robotiq_of_ours", (GRETE,), "1.0.0")},  # the name alone
+    {**OWN, "src/lidar": ("lidar_of_ours", (("LDROBOT", "support@ldrobot.com"),), "3.0.2")},  # the maker alone
+    # one of the people of a released package has a part in one that is no copy, as its name says
+    {**OWN, "arm_more": ("arm_planning", (ADA, EVA), "1.2.0"), "urg_node": ("urg_node", (EVA,), "1.2.0")},
+    {
+        "urg_of_ours": ("urg_of_ours", (ADA,), "1.2.0"),
+        "urg_node": ("urg_node", (EVA, GRETE), "1.2.0"),
+        "amcl": ("amcl", (GRETE,), "1.2.0"),
+    },
+    {**OWN, "src/config-master/moveit": ("arm_moveit", (ASSISTANT,), "0.3.0")},  # written by a template
     {**OWN, "src/sllidar_ros2": ("sllidar_ros2", (GRETE,), "1.0.1")},  # the name alone
     {**OWN, "src/sllidar_more": ("sllidar_more", (SLAMTEC,), "1.0.1")},  # the maker alone
     {"src/sllidar_ros2": ("sllidar_ros2", (SLAMTEC,), "1.0.1")},  # the maker's own repository
@@ -98,6 +121,12 @@ def test_the_people_of_a_template_are_nobody(tmp_path: Path) -> None:
         ("http://wiki.ros.org/map_more_of_ours", GRETE, set()),  # not public
         ("http://wiki.ros.org/map_server/Tutorials", GRETE, set()),  # another page
         ("https://example.org/map_server", GRETE, set()),
+        (
+            "https://github.com/ros-planning/moveit",
+            GRETE,
+            set(),
+        ),  # the MoveIt Setup Assistant puts it into what it makes
+        ("https://github.com/ros-planning/moveit_setup_assistant/issues", GRETE, set()),
         ("http://wiki.ros.org/", GRETE, set()),
     ],
 )

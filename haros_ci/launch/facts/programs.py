@@ -29,6 +29,7 @@ _KNOWN_MAKERS = frozenset(
 _KNOWN_MAKERS |= {"ament_python_install_package", "ament_python_install_module", "catkin_install_python"}
 _LOADED = ("rclcpp_components::NodeFactory", "rclcpp_components::NodeFactoryTemplate")
 _NODELET = "nodelet::Nodelet"
+_MAKEFILES = ("Makefile", "makefile", "GNUmakefile")
 
 
 @dataclass(slots=True)
@@ -132,10 +133,19 @@ class Programs:
         prefix = "" if start == "." else f"{start}/"
         stem = last.partition(".")[0]
         if use.kind == "executable":
-            return any(posixpath.basename(path) in (last, stem) for path in self.finder.below(prefix))
+            return self._has_file(last, stem, prefix)
         suffixes = (".cpp", ".cc", ".cxx", ".hpp", ".h", *((".xml",) if use.kind == "nodelet" else ()))
         paths = (p for p in self.finder.below(prefix) if p.endswith(suffixes) and ".launch" not in p)
         return any(last in self.finder.workspace.text(path) for path in paths)
+
+    def _has_file(self, program: str, stem: str, prefix: str) -> bool:
+        """Whether the package has a file of one of the names, or a Makefile with a rule that makes the program."""
+        paths = list(self.finder.below(prefix))
+        if any(posixpath.basename(path) in (program, stem) for path in paths):
+            return True
+        rule = re.compile(rf"^(?:[\w./-]+[ \t]+)*{re.escape(program)}[ \t]*:(?!=)", re.MULTILINE)
+        made = (path for path in paths if posixpath.basename(path) in _MAKEFILES)
+        return any(rule.search(self.finder.workspace.text(path)) for path in made)
 
 
 def _files_of(build: Build) -> set[str]:

@@ -153,7 +153,7 @@ def _textfile(
         state.spend(len(content) // 20)
         yield from _converted(state, scope, tag, name, literal(content), kind, blank)
         return
-    reason = place.reason or f"{place.path} is no text file of the workspace"
+    reason = place.reason or f"{place.path} {state.files.why_not(place.path or '')}"
     if not place.outside and file.known:
         state.wrong(scope, tag, f"<param name={quoted(name.shown)} textfile={quoted(file.shown)}>: {reason}")
     unknowns = unset("value", f"text of {quoted(file.shown)}: {reason}", location(scope, tag))

@@ -80,7 +80,7 @@ def _file(state: RoslaunchState, scope: LoaderScope, tag: LaunchElement, file: T
         state.wrong(scope, tag, f"{why}; what it sets is unknown")
         return why
     if not state.files.has(place.path):
-        why = f"<rosparam> loads {quoted(file.shown)}: {place.path} is no text file of the workspace"
+        why = f"<rosparam> loads {quoted(file.shown)}: {place.path} {state.files.why_not(place.path)}"
         state.wrong(scope, tag, why)
         return why
     state.read.add(place.path)

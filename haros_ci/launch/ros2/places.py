@@ -73,7 +73,7 @@ class Places:
         if place.path is None:
             return None, "", place.reason
         if not self.files.has(place.path):
-            return None, "", f"{quoted(place.path)} is no text file of the workspace"
+            return None, "", f"{quoted(place.path)} {self.files.why_not(place.path)}"
         return place.path, self.workspace.text(place.path), ""
 
     def _installed(self, package: str, inside: str) -> Place | None:
