@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator
 
 from haros_ci.api import Check, Finding, Level, Project, listed
 from haros_ci.api.launch import meant
-from haros_ci.api.robots import Mesh, descriptions, is_left_over, lead, together
+from haros_ci.api.robots import Description, Mesh, descriptions, is_left_over, lead, together
 
 #: Places of other meshes in the same directory.
 _SHOWN = 40
@@ -26,37 +26,44 @@ def _found(project: Project) -> Iterator[tuple[str, Finding]]:
         again: dict[tuple[str, str | None], list[Mesh]] = {}  # a visual and a collision, by file and mesh
         for mesh in description.robot.meshes:
             again.setdefault((mesh.location.path, mesh.filename), []).append(mesh)
-        is_plain = not description.command
-        left_over = is_plain and is_left_over(description.robot.path, project)
-        for mesh, *others in _by_directory(again.values(), project, is_plain):
-            problem = fault(mesh, project, meshes) if mesh.filename else ""
-            more = len({other.filename for other in others} - {mesh.filename})
-            is_literal = is_plain and _is_literal(mesh, project)
-            if problem and is_literal:
-                problem = _not_substituted(mesh.filename or "", more)
-            elif problem and more:
-                problem += f"; {more} more {'meshes are' if more > 1 else 'mesh is'} looked for in the same directory{_lacks(mesh, project, more)}"
+        left_over = not description.command and is_left_over(description.robot.path, project)
+        for mesh, *others in _by_directory(again.values(), project, not description.command):
+            problem = _problem(mesh, others, description, project, meshes)
             if problem and mesh.path is not None and not mesh.is_missing:
                 if mesh.path in disguised:  # several robots may have the one file
                     continue
                 disguised.add(mesh.path)
             if problem:
-                yield (
-                    "" if mesh.is_missing else mesh.filename or "",
-                    Finding(
-                        at=mesh.location,
-                        message=problem,
-                        about=(description.package or description.robot.path, mesh.filename or ""),
-                        related=tuple(
-                            (other.location, _also(other, mesh, is_literal))
-                            for other in others
-                            if other.location != mesh.location
-                        )[:_SHOWN],
-                        flow=lead(description, mesh.way),
-                        apart=(mesh.filename or "",),
-                        level=Level.NOTE if not mesh.is_missing or left_over else Level.ERROR if mesh.certain else None,
-                    ),
-                )
+                cause = "" if mesh.is_missing else mesh.filename or ""
+                yield cause, _finding(problem, mesh, others, description, project, left_over)
+
+
+def _problem(mesh: Mesh, others: list[Mesh], description: Description, project: Project, meshes: list[str]) -> str:
+    """What is wrong with *mesh* and *others* of its directory, in words; "" if nothing is known to be."""
+    problem = fault(mesh, project, meshes) if mesh.filename else ""
+    more = len({other.filename for other in others} - {mesh.filename})
+    if problem and not description.command and _is_literal(mesh, project):
+        return _not_substituted(mesh.filename or "", more)
+    if problem and more:
+        looked_for = "meshes are" if more > 1 else "mesh is"
+        problem += f"; {more} more {looked_for} looked for in the same directory{_lacks(mesh, project, more)}"
+    return problem
+
+
+def _finding(
+    problem: str, mesh: Mesh, others: list[Mesh], description: Description, project: Project, left_over: bool
+) -> Finding:
+    is_literal = not description.command and _is_literal(mesh, project)
+    also = ((other.location, _also(other, mesh, is_literal)) for other in others if other.location != mesh.location)
+    return Finding(
+        at=mesh.location,
+        message=problem,
+        about=(description.package or description.robot.path, mesh.filename or ""),
+        related=tuple(also)[:_SHOWN],
+        flow=lead(description, mesh.way),
+        apart=(mesh.filename or "",),
+        level=Level.NOTE if not mesh.is_missing or left_over else Level.ERROR if mesh.certain else None,
+    )
 
 
 def _is_literal(mesh: Mesh, project: Project) -> bool:

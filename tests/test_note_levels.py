@@ -224,7 +224,7 @@ def test_parameters_with_the_same_slip_are_named_once(tmp_path: Path) -> None:
     }
     check = next(check for check in checks() if check.id == "parameter-near-miss")
     (result,) = said(check, Example("", True, files), tmp_path)
-    assert "write /max_speed; likewise /poll_rate" in result.message
+    assert "set /max_speed here; likewise /poll_rate" in result.message
     assert not result.message.partition("likewise /poll_rate")[2].startswith(",")
     assert len({(each.location, each.message) for each in result.related}) == len(result.related)
 
