@@ -13,6 +13,7 @@ class N(Node):
         super().__init__("n")
         self.declare_parameter("b", False)
         self.declare_parameter("c", False, ParameterDescriptor(read_only=True))
+        self.declare_parameter("on", True)
         self.declare_parameter("i", 0)
         self.declare_parameter("s", "")
         self.flag = self.get_parameter("b").value
@@ -64,6 +65,10 @@ def test_a_switch_that_a_callback_reads(body: str) -> None:
     assert not is_ruled_out(do=body)
 
 
+def test_what_is_switched_on_is_there_whoever_switches_it_off() -> None:
+    assert not is_ruled_out(tick="if self.get_parameter('on').value:\n    self.make()")
+
+
 def test_a_switch_that_another_callback_reads() -> None:
     assert not is_ruled_out("self.flag = self.get_parameter('b').value", "if self.flag:\n    self.make()")
 
@@ -73,6 +78,7 @@ def test_a_switch_that_another_callback_reads() -> None:
     [
         "if self.flag:\n    self.make()",
         "if self.get_parameter('c').value:\n    self.make()",
+        "if not self.get_parameter('on').value:\n    self.make()",
         "if self.get_parameter('i').value > 1:\n    self.make()",
         "if self.get_parameter('s').value == 'x':\n    self.make()",
         "if self.get_parameter('use_sim_time').value:\n    self.make()",

@@ -142,9 +142,14 @@ def remember(applied: Applied, full: str, value: Value) -> None:
 
 
 def while_running(applied: Applied, entry: Entry, full: str, value: Value | None) -> Value | None:
-    """What the node reads: a switch that a callback reads again is there to be set while the node runs, unless it is declared read-only."""
+    """What the node reads: a switch that is off, and that a callback reads again, may be set while the node runs, unless it is declared read-only.
+
+    One that is on stays on: what it switches on is known then, and stays so.
+    """
     walk = applied.walk
-    if entry.kind != "getters" or not walk.is_called_back or not isinstance(value, Known) or value.kind is not bool:
+    if entry.kind != "getters" or not walk.is_called_back or not isinstance(value, Known):
+        return value
+    if value.kind is not bool or value.of(bool):
         return value
     if full.endswith(f":{ros2_nodes.SIM_TIME}") or any(
         made.read_only is not False for made in walk.made.values() if made.kind == "parameters" and made.name == full
