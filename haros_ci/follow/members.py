@@ -123,6 +123,8 @@ def _of_module_or_class(walk: Walk, value: Value, name: str) -> Cell | None:
 def own_cell(walk: Walk, value: Value, name: str, frame: Frame) -> Cell | None:
     """The cell of a data member that is assigned to: in Python the object gets one of its own where its class has one."""
     this = value.cell.value if isinstance(value, Pointer) else value
+    if isinstance(this, Object) and argparse.UNREAD in this.fields and name not in this.fields:
+        this.fields[name] = Cell(this.fields[argparse.UNREAD].value)  # what no word and no default has set is set here
     if isinstance(this, Object) and this.definition is not None and name not in this.fields:
         source, definition = this.definition
         of_its_class = static_cell(walk, source, definition, name)

@@ -118,3 +118,21 @@ def test_words_that_roslaunch_adds_may_be_an_option(before: str, words: str) -> 
 
 def test_a_program_alone_may_be_given_words() -> None:
     assert names(python(PARTLY + "PUB(o.topic)\n")) == ["/?"]
+
+
+@pytest.mark.parametrize(
+    ("before", "expected"),
+    [
+        ("o.topic = 'set'\n", ["/set"]),
+        ("if mode is not None:\n    o.topic = mode\n", ["/given"]),
+        ("if mode is None:\n    o.topic = mode\n", ["/?"]),
+        ("o.other = 'set'\n", ["/?"]),
+        ("if unknown():\n    o.topic = 'set'\n", ["/?"]),
+        ("o.topic = 'set'\no.topic = other()\n", ["/?"]),
+        ("", ["/?"]),
+    ],
+)
+def test_what_the_program_sets_itself_of_options_that_are_not_known(before: str, expected: list[str]) -> None:
+    launch = '<launch><node pkg="p" type="n.py" name="n" args="$(env WORDS)"/></launch>'
+    found = names(python(HEAD + f"mode = 'given'\n{before}PUB(o.topic)\n", launch))
+    assert sorted(found) == expected

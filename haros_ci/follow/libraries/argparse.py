@@ -116,9 +116,7 @@ def _options(walk: Walk, frame: Frame, this: Object, args: tuple[PassedArgument,
     if found is not None:
         return found
     options = _unread(walk, frame, this)
-    if options is not None and is_partly:
-        return Sequence(Cell((Cell(options), Cell(walk.opaque(UNKNOWN, frame)))))
-    return options or walk.opaque(UNKNOWN, frame)
+    return Sequence(Cell((Cell(options), Cell(walk.opaque(UNKNOWN, frame))))) if is_partly else options
 
 
 def added(walk: Walk, this: Object, name: str, args: tuple[PassedArgument, ...]) -> Value | None:
@@ -145,12 +143,10 @@ def _called(args: tuple[PassedArgument, ...]) -> Value:
     return Known(known) if known and len(known) == len(names) else Opaque("the name of a command")
 
 
-def _unread(walk: Walk, frame: Frame, this: Object) -> Object | None:
-    """The options where the command line is not known, if a command sets functions among them (``set_defaults(func=...)``); else None."""
+def _unread(walk: Walk, frame: Frame, this: Object) -> Object:
+    """The options where the command line is not known: functions that commands set among them (``set_defaults(func=...)``) are."""
     found: dict[str, list[Cell]] = {}
     _functions(this, (), found, 0)
-    if not found:
-        return None
     fields: dict[str, Cell] = {UNREAD: Cell(walk.opaque(UNKNOWN, frame))}
     for key, ways in found.items():
         fields[key] = Cell(Object(CHOSEN, fields={str(number): cell for number, cell in enumerate(ways)}))
