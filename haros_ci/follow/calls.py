@@ -302,9 +302,11 @@ def apply(  # noqa: C901 - one branch for each kind of what is called
         with forwarding.through(walk, function.function, args, location):
             return activation.invoke(walk, frame, function, args, targs)
     if isinstance(function, ClassValue):
-        owner = (function.source, function.definition)
-        resolved = tuple(walk.type_in(t, frame) for t in targs if type(t) is syntax.Type)
-        return construct.instance(walk, frame, owner, resolved, args, location)
+        given = tuple(walk.type_in(t, frame) if type(t) is syntax.Type else t for t in targs)
+        owner = specialisations.of_class(walk, (function.source, function.definition), given, location)
+        if owner is None:
+            return walk.opaque(specialisations.OF_CLASS.format(function.definition.name), frame)
+        return construct.instance(walk, frame, owner, tuple(t for t in given if type(t) is syntax.Type), args, location)
     if isinstance(function, Library):
         return library_calls.library_call(walk, frame, function, args, targs, location, callee)
     if isinstance(function, Object) and function.name == partials.PARTIAL:

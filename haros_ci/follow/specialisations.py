@@ -37,9 +37,11 @@ def of_class(
     What a specialisation makes is not followed: its methods have the names of the template's.
     """
     source, definition = owner
+    if source.separator == ".":
+        return owner
     every = walk.index.near(walk.index.classes, definition.name, source, walk.files)
     written = [item for item in every if item[1].specialises]
-    if not written or source.separator == ".":
+    if not written:
         return owner
     primary = next((item for item in every if not item[1].specialises), None)
     if primary is None or not targs or any(_fits(walk, item, targs) for item in written):
