@@ -9,6 +9,7 @@ from collections import defaultdict
 from collections.abc import Collection, Iterable
 from functools import cached_property
 
+from haros_ci.model.former_names import is_archived, superseded
 from haros_ci.model.package import SourceFile
 from haros_ci.model.python_names import as_python_reads
 from haros_ci.model.unbuilt import SUFFIXES, is_cmake, not_included, uncompiled
@@ -40,15 +41,6 @@ _GIVEN_UP = re.compile(
     re.IGNORECASE | re.MULTILINE,
 )
 _OF_TOOLS = frozenset("test tests launch cfg doc docs plugins plugin".split())
-#: A superseded copy: ``pick_old.py`` beside ``pick.py``, or beside ``pick_fast.py``.
-_SUPERSEDED = re.compile(
-    r"(?P<a>.+?)[_-](?:old|backup|bak|copy|orig|original|deprecated|unused|obsolete|legacy)\d*"
-    r"|(?:old|backup|bak|deprecated|unused|obsolete)[_-](?P<b>.+)"
-)
-#: Directories of what is no longer used.
-_ARCHIVES = frozenset(
-    "archive archived archives attic backup backups bak deprecated graveyard legacy obsolete old trash unused".split()
-)
 #: What imports modules whose names stand nowhere.
 _DYNAMIC = re.compile(
     r"\bimport_module\s*\(|\b__import__\s*\(|\bpkgutil\b|\biter_modules\b|\bspec_from_file_location\b|\bload_source\s*\("
@@ -157,17 +149,6 @@ class Unused(Judged):
             if path.endswith(".py"):
                 found[_directory(path)].append(path)
         return found
-
-
-def superseded(stem: str) -> str:
-    """What a file was called of which this one, by its name without its ending, is a former version: ``arm`` for ``arm_old``; "" for others."""
-    found = _SUPERSEDED.fullmatch(stem)
-    return "" if found is None else found["a"] or found["b"]
-
-
-def is_archived(path: str) -> bool:
-    """Whether the file at *path* is in a directory of what is no longer used, by its name."""
-    return not _ARCHIVES.isdisjoint(_directory(path).lower().split("/"))
 
 
 def _is_other_build(path: str) -> bool:

@@ -1,0 +1,27 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Names that say that a file is no longer used: former versions, and directories of such."""
+
+from __future__ import annotations
+
+import re
+
+#: A superseded copy: ``pick_old.py`` beside ``pick.py``, or beside ``pick_fast.py``.
+_SUPERSEDED = re.compile(
+    r"(?P<a>.+?)[_-](?:old|backup|bak|copy|orig|original|deprecated|unused|obsolete|legacy)\d*"
+    r"|(?:old|backup|bak|deprecated|unused|obsolete)[_-](?P<b>.+)"
+)
+#: Directories of what is no longer used.
+_ARCHIVES = frozenset(
+    "archive archived archives attic backup backups bak deprecated graveyard legacy obsolete old trash unused".split()
+)
+
+
+def superseded(stem: str) -> str:
+    """What a file was called of which this one, by its name without its ending, is a former version: ``arm`` for ``arm_old``; "" for others."""
+    found = _SUPERSEDED.fullmatch(stem)
+    return "" if found is None else found["a"] or found["b"]
+
+
+def is_archived(path: str) -> bool:
+    """Whether the file at *path* is in a directory of what is no longer used, by its name."""
+    return not _ARCHIVES.isdisjoint(path.rpartition("/")[0].lower().split("/"))
