@@ -28,10 +28,10 @@ def _found(project: Project) -> Iterator[Finding]:
         yield Finding(
             at=wrong_value.location,
             message=f"{wrong_value.written.rstrip('=')}{')' if '(' in wrong_value.written else ''} is {wrong_value.type}, but is given {_value(wrong_value)}: "
-            f"{_effect(wrong_value.ros)}{_instead(wrong_value)}",
+            f"{_effect(wrong_value)}{_instead(wrong_value)}",
             about=(wrong_value.routine.title, wrong_value.written),
             apart=(wrong_value.routine.title, wrong_value.written),
-            level=Level.WARNING if wrong_value.ros == 1 else None,
+            level=Level.WARNING if wrong_value.ros == 1 or _is_converted(wrong_value) else None,
         )
     for unnamed in unnamed_values(project):
         some = ", ".join(f"{field}=..." for field in unnamed.fields[: min(unnamed.count, 3)])
@@ -48,7 +48,7 @@ def _found(project: Project) -> Iterator[Finding]:
 def _value(wrong_value: WrongValue) -> str:
     if wrong_value.kind == "Time":
         return "the Time of rclpy"
-    if wrong_value.kind == "list" and wrong_value.type.startswith("float") and "[" in wrong_value.type:
+    if _is_converted(wrong_value):
         return "a list that has an int in it"
     return (
         f"{wrong_value.value}, {_KINDS[wrong_value.kind]}"
@@ -57,9 +57,16 @@ def _value(wrong_value: WrongValue) -> str:
     )
 
 
-def _effect(ros: int) -> str:
-    if ros == 1:
+def _is_converted(wrong_value: WrongValue) -> bool:
+    """Whether the value is a list with whole numbers for floats: without its assertions, the setter makes floats of them (rosidl_generator_py, _msg.py.em)."""
+    return wrong_value.kind == "list" and wrong_value.type.startswith("float") and "[" in wrong_value.type
+
+
+def _effect(wrong_value: WrongValue) -> str:
+    if wrong_value.ros == 1:
         return "publishing the message fails"
+    if _is_converted(wrong_value):
+        return "the line raises AssertionError up to Iron (since Jazzy with ROS_PYTHON_CHECK_FIELDS=1 alone)"
     return "the line raises AssertionError, and without these checks (off by default since Jazzy) a wrong value is sent"
 
 

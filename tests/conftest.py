@@ -20,9 +20,10 @@ settings.load_profile("steady")
 # Collecting forty thousand tests took 26 seconds of the processor, of which 17 went into looking for garbage among them.
 gc.disable()
 
-# A shell starts what runs in the background with SIGINT ignored, and so would every command that a test interrupts.
-if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
-    signal.signal(signal.SIGINT, signal.default_int_handler)
+# A shell starts what runs in the background with SIGINT ignored, nohup with SIGHUP, and so would every command that a test interrupts.
+for _signal in (signal.SIGINT, signal.SIGHUP, signal.SIGQUIT, signal.SIGTERM):
+    if signal.getsignal(_signal) is signal.SIG_IGN:
+        signal.signal(_signal, signal.default_int_handler if _signal == signal.SIGINT else signal.SIG_DFL)
 
 
 # What is started hundreds of times is compiled once.

@@ -333,3 +333,25 @@ def test_one_finding_for_what_several_files_pass_for_nothing(
     assert result.level == expected
     assert result.location.path == "launch/a.launch.xml"
     assert [each.location.path for each in result.related] == ["launch/b.launch.xml"]
+
+
+@pytest.mark.parametrize(
+    ("line", "level", "words"),
+    [
+        ("m.data = [1, 2.0]", Level.WARNING, "raises AssertionError up to Iron"),
+        ("m.data = 1", Level.ERROR, "a wrong value is sent"),
+        ("m.data = 'rows'", Level.ERROR, "a wrong value is sent"),
+    ],
+)
+def test_what_a_setter_makes_of_whole_numbers(line: str, level: Level, words: str, tmp_path: Path) -> None:
+    code = f"import rclpy\nfrom std_msgs.msg import Float64MultiArray\n\nrclpy.init()\nnode = rclpy.create_node('n')\nm = Float64MultiArray()\n{line}\nrclpy.spin(node)\n"
+    files = {
+        "package.xml": ROS2.replace("rclcpp", "rclpy").replace(
+            "<depend>rclpy", "<depend>std_msgs</depend><depend>rclpy"
+        ),
+        "CMakeLists.txt": CMAKE.format("install(PROGRAMS n.py DESTINATION lib/demo)"),
+        "n.py": "#!/usr/bin/env python3\n" + code,
+    }
+    check = next(check for check in checks() if check.id == "wrong-field-value")
+    (result,) = said(check, Example("", True, files), tmp_path)
+    assert result.level == level and words in result.message
