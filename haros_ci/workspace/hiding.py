@@ -25,6 +25,7 @@ from haros_ci.workspace.selection import (
     CandidatePath,
     is_never_source,
     output_directories,
+    parents,
 )
 from haros_ci.workspace.used_code import UsedCode, is_opaque
 from haros_ci.workspace.used_names import CODE
@@ -179,7 +180,7 @@ class TrackedChange:
         paths = [c.path for c in chosen if c.path in self.tracked and c.language not in (None, *_UNTOLD)]
         paths = [path for path in paths if path.rpartition("/")[2] not in MARKERS - IGNORED_WITHOUT]
         for directory in kept:
-            above = {*_parents(directory)}
+            above = {*parents(directory)}
             if directory in (".", *scope.directories) or above & set(kept) or above & counted:
                 continue
             if files := [path for path in paths if path.startswith(f"{directory}/")]:
@@ -195,7 +196,7 @@ class TrackedChange:
             directory = path.rpartition("/")[0] or "."
             if path not in self.base or directory in packages:
                 continue
-            above = [*_parents(directory), "."]
+            above = [*parents(directory), "."]
             if any(_manifest(parent) in self.base for parent in above):
                 continue  # it was part of another package before
             if around := next((p for p in above if p in packages and _manifest(p) in self.tracked), None):
@@ -259,7 +260,7 @@ class TrackedChange:
             return {}
         read = {candidate.path for candidate in chosen}
         outputs = output_directories(self.listed, self)
-        known = {parent for path in self.base for parent in _parents(path)}
+        known = {parent for path in self.base for parent in parents(path)}
         aside: dict[str, str] = {}
         for path, name in sorted(self.tracked.items()):
             if path in read or self.base.get(path) == name or scope.given(path) is None or path in self.submodules:
@@ -288,7 +289,7 @@ class TrackedChange:
     def _never_analysed(self, path: str, outputs: frozenset[str]) -> str:
         """The outermost directory around *path* that is never entered, "" without one."""
         found = ""
-        for directory in _parents(path):
+        for directory in parents(path):
             if is_never_source(directory.rpartition("/")[2]) or directory in outputs:
                 found = directory
         return found
@@ -318,7 +319,7 @@ class TrackedChange:
 
 def _excluded(path: str, excludes: Excludes) -> bool:
     return excludes.match(path, is_directory=False) or any(
-        excludes.match(directory, is_directory=True) for directory in _parents(path)
+        excludes.match(directory, is_directory=True) for directory in parents(path)
     )
 
 
@@ -337,9 +338,3 @@ def _plural(number: int, noun: str) -> str:
 
 def _manifest(directory: str) -> str:
     return _MANIFEST if directory == "." else f"{directory}/{_MANIFEST}"
-
-
-def _parents(path: str) -> Iterator[str]:
-    while "/" in path:
-        path = path.rpartition("/")[0]
-        yield path

@@ -13,7 +13,7 @@ from haros_ci.workspace.assemble import Content, SymbolicLink
 from haros_ci.workspace.discover import too_large, unusable_name
 from haros_ci.workspace.git import REGULAR, BaselineUnavailable, GitError, Repository, run_git
 from haros_ci.workspace.language import HEAD, is_kept_copy, script_language, suffix_of
-from haros_ci.workspace.selection import CandidatePath
+from haros_ci.workspace.selection import CandidatePath, parents
 
 #: Bytes of files that are in memory at a time, unless a single file is larger.
 BATCH = 32_000_000
@@ -113,7 +113,7 @@ def _read_batch(repository: Repository, tree: dict[str, Blob], candidates: list[
 
 def read_links(tree: dict[str, Blob], links: dict[str, Blob]) -> Iterator[SymbolicLink]:
     """The symbolic *links* that lead to files or directories of *tree*, as on disk (the first ``MAX_LINKS``)."""
-    directories = {parent for path in tree for parent in _above(path)}
+    directories = {parent for path in tree for parent in parents(path)}
     targets: dict[str, str] = {}
     for path, blob in sorted(links.items())[:MAX_LINKS]:
         text = os.fsdecode(run_git(blob.repository, "cat-file", "blob", blob.name))
@@ -123,12 +123,6 @@ def read_links(tree: dict[str, Blob], links: dict[str, Blob]) -> Iterator[Symbol
             target = targets.get(target, target)
         if target in tree or target in directories:
             yield SymbolicLink(path, target)
-
-
-def _above(path: str) -> Iterator[str]:
-    while "/" in path:
-        path = path.rpartition("/")[0]
-        yield path
 
 
 def _read_submodule(path: str, commit: str, workspace: Workspace) -> dict[str, Blob]:

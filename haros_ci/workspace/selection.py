@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Container, Iterable, Mapping
+from collections.abc import Callable, Collection, Container, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Protocol
 
@@ -172,3 +172,10 @@ def output_directories(listing: Collection[str], standing: MarkersAtBase | None 
         if any(path.startswith(f"{prefix}src/") for path in stood):
             outputs.update(prefix + name for name in OUTPUT_NAMES)
     return frozenset(outputs)
+
+
+def parents(path: str) -> Iterator[str]:
+    """The directories above a root-relative *path*, the innermost first, without the root."""
+    while "/" in path:
+        path = path.rpartition("/")[0]
+        yield path

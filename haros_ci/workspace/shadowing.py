@@ -15,6 +15,7 @@ from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Problem, Workspace
 from haros_ci.workspace.cmake_parse import ParsedCommand, parse_cmake
 from haros_ci.workspace.cut import cut
+from haros_ci.workspace.selection import parents
 
 #: Notes of one run, and includes that are held against pairs of headers of one name.
 MOST = 20
@@ -179,13 +180,14 @@ def _turned(head: Workspace, base: Workspace) -> Iterator[Problem]:
     before = dict(base.links)
     files = {file.path: file for file in base.files}
     now = {file.path: file for file in head.files}
+    directories = {above for path in now for above in parents(path)} if head.links else set()
     for path, target in head.links:
         was = before.get(path, path if path in files else target)
         if was == target:
             continue
         new, old = now.get(target), files.get(was)
         if new is None:
-            is_seen = all(any(one.startswith(f"{place}/") for one in now) for place in (target, was))
+            is_seen = target in directories and was in directories
         else:
             is_seen = old is None or new.digest != old.digest
         if is_seen:
