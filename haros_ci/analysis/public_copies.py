@@ -60,6 +60,8 @@ _UNRELEASED = ("", "0.0.0")
 #: Versions that packages have by chance, and directories that are no stack.
 _USUAL = (*_UNRELEASED, "0.0.1", "0.1.0", "1.0.0")
 _TOP = ("", "src")
+#: How often the people of packages that are no copies are added to the team; beyond, nothing is a copy.
+_MOST_ROUNDS = 20
 #: A downloaded archive: the name of the repository and that of a branch.
 _ARCHIVE = re.compile(
     r".+-(?:master|main|devel|develop|ros[12]|[a-z]+-devel|groovy|hydro|indigo|jade|kinetic|lunar|melodic|noetic|dashing|eloquent|foxy"
@@ -108,9 +110,14 @@ def _by_others(
 ) -> list[Package]:
     """Those of *candidates* that are by others than all packages beside: whoever has a part in one that is no copy is one of the team."""
     people = frozenset[str]().union(*(_people(package, workspace) for package in own))
-    foreign = [package for package in candidates if _is_foreign(package, people, words, workspace)]
-    kept = [package for package in candidates if package not in foreign]
-    return _by_others(foreign, [*own, *kept], words, workspace) if kept and foreign else foreign
+    for _ in range(_MOST_ROUNDS):
+        foreign = [package for package in candidates if _is_foreign(package, people, words, workspace)]
+        if len(foreign) in (0, len(candidates)):
+            return foreign
+        paths = {package.path for package in foreign}
+        people = people.union(*(_people(package, workspace) for package in candidates if package.path not in paths))
+        candidates = foreign
+    return []
 
 
 def _is_foreign(package: Package, people: frozenset[str], words: set[str], workspace: Workspace) -> bool:

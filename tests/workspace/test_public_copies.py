@@ -151,3 +151,13 @@ def test_copies(
 @pytest.mark.parametrize("packages", QUIET)
 def test_no_copies(tmp_path: Path, packages: dict[str, tuple[str, tuple[tuple[str, str], ...], str]]) -> None:
     assert found(tmp_path, packages) == set()
+
+
+def test_a_long_chain_of_people_ends(tmp_path: Path) -> None:
+    """Each package has one of the people of the one before it: beyond some rounds nothing is taken for a copy."""
+    people = [(f"Person {number}", f"p{number}@robots.org") for number in range(1_100)]
+    chain = {
+        f"src/p{number}-main/p": (f"x{number}_y", (one, other), "1.0.0")
+        for number, (one, other) in enumerate(zip(people, people[1:], strict=False))
+    }
+    assert found(tmp_path, {"src/own": ("own_of_ours", people[:1], "0.0.0"), **chain}) == set()
