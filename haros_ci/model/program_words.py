@@ -106,11 +106,13 @@ def before_return(script: str) -> str:
     """The text of a CMake file to the command ``return()`` that stands in no block, behind which nothing is read."""
     if "#[" in script or "[[" in script:
         return script  # comments and texts over several lines
-    depth = 0
+    depth = quotes = at = 0
     for match in _BLOCK.finditer(script):
         word = match[1].lower()
-        if word == "return" and depth == 0 and script.count('"', 0, match.start()) % 2 == 0:
-            return script[: match.start()]
+        quotes += script.count('"', at, match.start())
+        at = match.start()
+        if word == "return" and depth == 0 and quotes % 2 == 0:
+            return script[:at]
         depth += word in _BEGINS
         depth -= word.startswith("end")
     return script

@@ -98,6 +98,8 @@ def test_a_target_by_another_name() -> None:
 def test_what_stands_behind_a_return_is_not_read() -> None:
     assert before_return(f"project(p)\nreturn()\n{MADE}") == "project(p)\n"
     assert before_return(f"if(A)\nendif()\n  RETURN ()\n{MADE}") == "if(A)\nendif()\n"
+    text = 'message("\nreturn()\n")\nset(A "b" "c")\n'
+    assert before_return(f"{text}return()\n{MADE}") == text
 
 
 @pytest.mark.parametrize(
