@@ -67,4 +67,4 @@ def brought_builders(head: Workspace, base: Workspace) -> tuple[Problem, ...]:
 
 
 def _problem(path: str, step: BuildStep) -> Problem:
-    return Problem(path, f"{step.words} may compile, make or run what is not analysed", step.line)
+    return Problem(path, f"{step.words} {step.effect}", step.line)

@@ -60,6 +60,10 @@ def odd_flags(text: str, *, are_definitions: bool = False) -> Iterator[str]:
             yield f"{word} {after}".strip()
 
 
+#: What such a flag does.
+OF_SIZES = "changes the size or the sign of types, which linters do not take into account"
+
+
 def changes_sizes(word: str) -> bool:
     """Whether the *word* is a flag that changes what types are, and nothing that is read."""
     return _OF_SIZES.fullmatch(word) is not None

@@ -12,7 +12,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
 from haros_ci.workspace.build_definitions import is_macro_name, renamings
-from haros_ci.workspace.build_flags import changes_sizes, odd_flags
+from haros_ci.workspace.build_flags import OF_SIZES, changes_sizes, odd_flags
 from haros_ci.workspace.cmake_parse import CMakeArgument, ParsedCommand, parse_cmake
 from haros_ci.workspace.language import language_of, suffix_of
 
@@ -106,11 +106,12 @@ _PUT_TOGETHER = re.compile(r"(?:SHELL:)?\$\{[^{}]{1,100}\}[\w-]")
 
 @dataclass(frozen=True, slots=True)
 class BuildStep:
-    """What is not followed at *line*: the *words* that say it; *is_usual* where many packages do so: a program is run, or a file written or read; or where sizes of types change alone."""
+    """What is not followed at *line*: the *words* that say it, and its *effect*; *is_usual* where many packages do so: a program is run, or a file written or read; or where sizes of types change alone."""
 
     line: int
     words: str
     is_usual: bool = False
+    effect: str = "may compile, make or run what is not analysed"
 
 
 def steps_not_followed(text: str, is_file: Callable[[str], bool] = lambda _: False) -> tuple[BuildStep, ...]:
@@ -125,7 +126,9 @@ def steps_not_followed(text: str, is_file: Callable[[str], bool] = lambda _: Fal
         command = pending.pop()
         is_usual = command.name in _RUNNING or command.name in ("file", "configure_file")
         found += (
-            BuildStep(command.line, _quoted(command, odd), is_usual or changes_sizes(odd))
+            BuildStep(command.line, _quoted(command, odd), True, OF_SIZES)
+            if changes_sizes(odd)
+            else BuildStep(command.line, _quoted(command, odd), is_usual)
             for odd in _odd(command, is_file)
         )
         for opener, body in reversed(command.branches):

@@ -297,6 +297,16 @@ def test_only_what_a_change_brings_is_reported(tmp_path: Path) -> None:
     assert "include(… new.txt)" in found[0].message
 
 
+def test_what_a_step_may_do_is_said(tmp_path: Path) -> None:
+    text = "add_compile_options(-m32)\nexecute_process(COMMAND git describe OUTPUT_VARIABLE V)\n"
+    _, notes = brought({}, {"CMakeLists.txt": text}, tmp_path)
+    sizes, program = (problem.message for problem in notes)
+    assert "-m32" in sizes and sizes.endswith(
+        "changes the size or the sign of types, which linters do not take into account"
+    )
+    assert program.endswith("may compile, make or run what is not analysed")
+
+
 def test_many_are_few(tmp_path: Path) -> None:
     text = "".join(f"include(part{n}.txt)\nfile(READ a{n} A)\n" for n in range(300))
     found, notes = brought({}, {"CMakeLists.txt": text}, tmp_path)
