@@ -10,7 +10,7 @@ import re
 from bisect import bisect_right
 from collections.abc import Iterator
 
-from haros_ci.results.comments import BEGINS_CHARACTER
+from haros_ci.results.comments import BEGINS_CHARACTER, SPLICE
 
 #: Nothing else makes text dead that is looked at here.
 _MAY_HIDE = re.compile(r"R\"|/\*|^[ \t]*#[ \t]*if\b", re.M)
@@ -25,8 +25,7 @@ _TRUE = re.compile(r"[\s(]*(?:1[uUlL]*|true|![\s(]*(?:0|false))[\s)]*(?:\|\|.*)?
 #: Raw texts without an end that are looked for; the text behind more of them is taken as it stands.
 _MOST_OPEN = 16
 #: Lines that go on in the next one ([lex.phases] 2), and the lexemes above where such a splice may stand within them.
-_SPLICE = r"\\[ \t]*\r?\n"
-_SPLICES = re.compile(_SPLICE)
+_SPLICE = SPLICE.pattern
 _GAP = rf"(?:{_SPLICE}){{0,20}}"
 _MAY_BE_RAW = re.compile(rf'R{_GAP}"')
 _UNSPLICED = re.compile(
@@ -48,15 +47,15 @@ def dead(text: str) -> tuple[tuple[int, int], ...]:
 
 def joined(text: str) -> str:
     """*text* with its spliced lines joined, but for those in raw texts, in which a compiler takes that back; linear in its length."""
-    if "\\" not in text or _SPLICES.search(text) is None:
+    if "\\" not in text or SPLICE.search(text) is None:
         return text
     if _MAY_BE_RAW.search(text) is None:
-        return _SPLICES.sub("", text)
+        return SPLICE.sub("", text)
     parts, at = [], 0
     for start, end in _raw_texts(text):
-        parts += [_SPLICES.sub("", text[at:start]), text[start:end]]
+        parts += [SPLICE.sub("", text[at:start]), text[start:end]]
         at = end
-    return "".join((*parts, _SPLICES.sub("", text[at:])))
+    return "".join((*parts, SPLICE.sub("", text[at:])))
 
 
 def without_raw_texts(text: str) -> str:
@@ -100,7 +99,7 @@ def _raw_texts(text: str) -> Iterator[tuple[int, int]]:
     at = opened = 0
     while match := _UNSPLICED.search(text, at):
         at = match.end()
-        if match[0].startswith("/") and match[0].endswith("*") and _SPLICES.sub("", match[0]) == "/*":
+        if match[0].startswith("/") and match[0].endswith("*") and SPLICE.sub("", match[0]) == "/*":
             end = _ENDS_COMMENT.search(text, at)
             at = len(text) if end is None else end.end()
         elif match[1] is not None and opened < _MOST_OPEN:

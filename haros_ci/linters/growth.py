@@ -15,6 +15,7 @@ from itertools import islice
 
 from haros_ci.linters.linter import Unit
 from haros_ci.model.workspace import Workspace
+from haros_ci.results.comments import SPLICE
 
 #: Ways through bases above which no class is looked at: pylint takes two seconds for so many, and the square for twice.
 MOST_WAYS = 10_000
@@ -36,7 +37,6 @@ LARGE_EXPANSION = f"its macros expand to more than {MOST_TOKENS:,} tokens"
 _CLASS = re.compile(r"\b(?:class|struct)\s+([^;{}()=]{1,300}?)(?<!:):(?!:)([^;{}]{1,1000})\{")
 _ARGUMENTS = re.compile(r"<[^<>]*>")
 _WORD = re.compile(r"[A-Za-z_]\w*")
-_SPLICE = re.compile(r"\\[ \t]*\r?\n")
 _DEFINE = re.compile(
     r"^[ \t]*(?:#|%:)(?:[ \t]|/\*[^*\n]{0,80}\*/)*define[ \t]+([A-Za-z_]\w*)(\([^()\n]*\))?(.*)$", re.MULTILINE
 )
@@ -139,7 +139,7 @@ def macros(text: str) -> Iterator[Macro]:
     """The macros that *text* defines, those under conditions of the preprocessor, too."""
     if "define" not in text:
         return
-    for match in _DEFINE.finditer(_SPLICE.sub(" ", text) if "\\" in text else text):
+    for match in _DEFINE.finditer(SPLICE.sub(" ", text) if "\\" in text else text):
         names = None if match[2] is None else tuple(word.strip() for word in match[2][1:-1].split(","))
         body = tuple(islice((token[0] for token in _TOKEN.finditer(match[3])), _LONGEST))
         yield Macro(match[1], names, body)

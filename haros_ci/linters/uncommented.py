@@ -90,7 +90,7 @@ def silenced_findings(
 ) -> tuple[Run, ...]:
     """A run for each of *linters* with what comments keep it from saying of files that have *changed*, or that use such a file.
 
-    Nothing is run where no comment can silence it. Results are those that are words_of_it without the comments alone, of rules that are on; notifications
+    Nothing is run where no comment can silence it. Results are those that tools have without the comments alone, of rules that are on; notifications
     those on files that cannot be analysed without them: what comments hide there is not known.
     """
     done = []
@@ -165,9 +165,9 @@ def _may_silence(tool: str, text: str, kind: str) -> Iterator[str]:
     if not words.search(joined(text, kind)):
         return
     forms = _forms(kind, tool)
-    for words_of_it in (joined(comment.text, kind) for comment in comments(text, kind)):
-        if words.search(words_of_it) and any(form.pattern.search(words_of_it) for form in forms):
-            meant = _MEANT.search(words_of_it)
+    for unspliced in (joined(comment.text, kind) for comment in comments(text, kind)):
+        if words.search(unspliced) and any(form.pattern.search(unspliced) for form in forms):
+            meant = _MEANT.search(unspliced)
             rules = _RULE.findall(meant[1] or meant[2] or "") if meant else []
             yield from ("" if "*" in rule or rule == "all" else rule for rule in rules or [""])
 
@@ -193,8 +193,8 @@ def _bare(workspace: Workspace, paths: Collection[str]) -> Workspace:
 def without_silencers(text: str, kind: str) -> str:
     """*text*, of which each comment that silences a tool says nothing any more; the same object where there is none. Lines and columns stay."""
     forms = _forms(kind)
-    words_of_it = joined(text, kind)
-    if not any(word.search(words_of_it) for word in _WORDS.values()):
+    unspliced = joined(text, kind)
+    if not any(word.search(unspliced) for word in _WORDS.values()):
         return text
     plain = "\n".join(lines_of(text))
     starts = [0]
@@ -202,8 +202,8 @@ def without_silencers(text: str, kind: str) -> str:
         starts.append(starts[-1] + len(line) + 1)
     parts, at = [], 0
     for comment in comments(plain, kind):
-        words_of_it = joined(comment.text, kind)
-        if any(form.pattern.search(words_of_it) for form in forms):
+        unspliced = joined(comment.text, kind)
+        if any(form.pattern.search(unspliced) for form in forms):
             start = starts[comment.line - 1] + comment.column - 1
             parts += [plain[at:start], _LETTERS.sub("x", comment.text)]
             at = start + len(comment.text)

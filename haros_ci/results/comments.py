@@ -56,6 +56,8 @@ _BY_LANGUAGE = {
     "hpl": "interface",
 }
 _BY_SUFFIX = {".py": "python", ".yaml": "yaml", ".yml": "yaml", ".cfg": "yaml"}
+#: The end of a line of C++ that goes on in the next one ([lex.phases] 2).
+SPLICE = re.compile(r"\\[ \t]*\r?\n")
 _SPACE = re.compile(r"\s+")
 _LONG_LINE = 10_000  # characters; beyond, nobody writes a comment on a line of its own
 

@@ -7,7 +7,7 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from haros_ci.results.comments import Comment, comments, lines_of
+from haros_ci.results.comments import SPLICE, Comment, comments, lines_of
 
 #: Kinds of syntax (``comments.syntax``) in which comments begin with a hash.
 _HASHED = frozenset(("python", "yaml", "cmake", "shell", "dockerfile", "interface"))
@@ -73,7 +73,6 @@ _HINTS = (
     "isort:", "lizard", "shellcheck", "hadolint", "yamllint", "catkin_lint", "cmake-", "codespell", "flawfinder", "rats:", "its4:",
     "generated code",
 )  # fmt: skip
-_SPLICE = re.compile(r"\\[ \t]*\r?\n")
 #: A comment that keeps pylint out of a file: what it silences there nobody tells.
 _EVERYTHING = re.compile(r"pylint:[^\n]*\bdisable=(?:[\w,-]*,)?all\b")
 #: What a generated file says of itself in its first lines.
@@ -102,15 +101,15 @@ def silencers(text: str, kind: str) -> Iterator[Silencer]:
     forms = [form for form in FORMS if kind in form.kinds]
     lines = lines_of(text) if forms else []
     for comment in comments(text, kind) if forms else ():
-        words_of_it = joined(comment.text, kind)
+        unspliced = joined(comment.text, kind)
         for form in forms:
             if form.only_beside_code and comment.alone:
                 continue
-            if (found := form.pattern.search(words_of_it)) is None:
+            if (found := form.pattern.search(unspliced)) is None:
                 continue
             if form.name == "type: ignore" and comment.alone and _follows_code(lines, comment):
                 continue
-            line = comment.line + words_of_it.count("\n", 0, found.start())
+            line = comment.line + unspliced.count("\n", 0, found.start())
             code, code_line = _code_of(lines, comment)
             words = "".join(found[0].split())
             if comment.alone and _EVERYTHING.search(words):
@@ -124,7 +123,7 @@ def joined(comment: str, kind: str) -> str:
 
 
 def _joined(text: str) -> str:
-    return _SPLICE.sub("", text) if "\\" in text else text
+    return SPLICE.sub("", text) if "\\" in text else text
 
 
 def _code_of(lines: list[str], comment: Comment) -> tuple[str, int]:
