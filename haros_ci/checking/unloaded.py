@@ -45,8 +45,9 @@ def _is_former(path: str, project: Project) -> bool:
     if is_archived(path):
         return True
     former = superseded(_stem(name))
-    beside = {_stem(basename(other)) for other in project.workspace.names if other.rpartition("/")[0] == folder}
-    return bool(former) and former in beside
+    return bool(former) and any(
+        other.rpartition("/")[0] == folder and _stem(basename(other)) == former for other in project.workspace.names
+    )
 
 
 def _stem(name: str) -> str:

@@ -25,8 +25,8 @@ LEAST = 8
 ALIKE = 0.75
 #: The lines of the shorter file, LONG at least, that the longer one has: the shorter one is an extract.
 INSIDE, LONG = 0.9, 20
-#: Findings of one rule that are compared with each other.
-MOST = 200
+#: Findings of one rule that are compared with each other; the others stay as they are.
+MOST = 60
 
 _BLANKS = re.compile(r"\s+")
 _COMMENT = re.compile(r"<!--|-->")
@@ -44,9 +44,9 @@ class _Group:
     statements: frozenset[tuple[tuple[str, ...], str]]
 
     def is_twin(self, other: _Group, files: _Files) -> bool:
-        """Whether *other* says the same in a file that is mostly the same; what one of the two has beside is let pass.
+        """Whether *other* stands for the same mistake, in a file that is mostly the same text; one of the two may stand for more.
 
-        So does, in one directory, a file with the same two or more that are no errors, whatever else it has: these lines were pasted.
+        In one directory the files may differ in all else, where two or more warnings of each are the same: these lines were pasted.
         """
         here, there = self.result, other.result
         if here.location.path == there.location.path:
