@@ -88,7 +88,21 @@ def confined(text: str, directory: str, exists: Exists) -> str:
         start = max(start, at)
         parts += (text[at:start], instead, _blanked(text[start + len(instead) : end]))
         at = end
-    return "".join((*parts, text[at:]))
+    return _unspliced(text, "".join((*parts, text[at:])))
+
+
+def _unspliced(text: str, made: str) -> str:
+    """*made* of *text* without backslashes behind which all is blank now: the next line would be a part of theirs."""
+    if "\\" not in made and "??/" not in made:
+        return made
+    lines = made.split("\n")
+    for at, (before, after) in enumerate(zip(text.split("\n"), lines, strict=True)):
+        if before != after and not before.rstrip(_BLANKS).endswith(("\\", "??/")):
+            kept = after.rstrip(_BLANKS)
+            while kept.endswith(("\\", "??/")):
+                kept = kept.removesuffix("\\").removesuffix("??/").rstrip(_BLANKS)
+            lines[at] = kept + "".join(c if c in _BLANKS else " " for c in after[len(kept) :])
+    return "\n".join(lines)
 
 
 #: From, to, and what to write at its beginning.
@@ -96,7 +110,7 @@ _Doomed = tuple[int, int, str]
 
 
 def _directives(text: str, directory: str, exists: Exists, gaps: _Gaps) -> Iterator[_Doomed]:
-    done = line = 0
+    done = line = gone = 0
     hashes = _HASH if "%:" in text or "??=" in text else _USUAL_HASH
     for match in hashes.finditer(text):
         if match.start() < done:
@@ -104,11 +118,11 @@ def _directives(text: str, directory: str, exists: Exists, gaps: _Gaps) -> Itera
         at = gaps.after(match.end())
         word, end = gaps.word(at)
         behind = _behind(word, end, match.start(), directory, exists, gaps)
-        if (
-            behind is not None or match.start() < line
-        ):  # nothing else may become a directive in place of one that is gone
+        becomes_one = match.start() < line and not gaps.follows_comment(gone, match.start())
+        if behind is not None or becomes_one:  # nothing may become a directive in place of one that is gone
             yield match.start(), match.end(), ""
         if behind is not None:
+            gone = match.start()
             yield at, end, ""
             start, done = behind if gaps.begins_line(match.start()) else (end, end)
             yield start, done, ""
@@ -264,6 +278,11 @@ class _Gaps:
         if _COMMENTS.fullmatch(before):
             return True
         return before.rstrip(_BLANKS).endswith("*/") and '"' not in before and len(before) < _NEAR - 20
+
+    def follows_comment(self, gone: int, at: int) -> bool:
+        """Whether what is *gone* stood in a comment that ends before a position in its line, which begins that line so."""
+        between = self.text[gone:at] if at - gone < _NEAR else ""
+        return "*/" in between and "/*" not in between and self.begins_line(at)
 
     def opens_what_is_outside(self, start: int, end: int) -> bool:
         """Whether the pragma with the words from *start* to the *end* of its line may; of several in a line the first decides, which has the words of all."""

@@ -12,6 +12,7 @@ import re
 from collections.abc import Iterable
 
 from haros_ci.linters import macro_scan
+from haros_ci.linters.compiler_macros import predefined
 from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Store, Workspace
 from haros_ci.own_sources import OF_LINTERS, digest
@@ -192,6 +193,7 @@ PLATFORM = {
     },
     **{"__ORDER_LITTLE_ENDIAN__": "1234", "__ORDER_BIG_ENDIAN__": "4321", "__BYTE_ORDER__": "1234"},
     **dict.fromkeys("__STDC_HOSTED__ __EXCEPTIONS __GXX_RTTI __DEPRECATED".split(), "1"),
+    **predefined(),
 }
 
 #: Tests of versions in ``#if``: code is read as for a recent ROS.

@@ -16,6 +16,7 @@ from haros_ci.linters.linked_names import linked_names
 from haros_ci.linters.macro_scan import is_decoration
 from haros_ci.linters.macros_elsewhere import MacrosElsewhere, brought
 from haros_ci.linters.meanings import SPELLED
+from haros_ci.linters.spelled_conditions import odd_conditions, odd_lines
 from haros_ci.linters.version_conditions import version_conditions
 from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Workspace
@@ -37,6 +38,12 @@ _TESTED = re.compile(
 )
 #: A comment whose end is written over two lines; a line that goes on behind other white space than blanks, or by a trigraph; what is taken for an assembler's.
 _OVER_LINES = re.compile(r"\*(?:(?:\\|\?\?/)[ \t\f\v]*\r?\n[ \t\f\v]*)+/")
+#: One that begins so; texts and other comments are passed over.
+_OVER_BEGIN = re.compile(r"/(?:(?:\\|\?\?/)[ \t]*\r?\n)+[/*]")
+_BEGINS = re.compile(
+    r"\"(?:[^\"\\\n]|\\[\s\S])*\"|'(?:[^'\\\n]|\\[^\n]){1,12}'|//(?:[^\n\\]|\\[ \t]*\r?\n|\\)*|/\*(?:[^*]|\*(?!/))*(?:\*/|\Z)"
+    rf"|({_OVER_BEGIN.pattern})"
+)
 _ODD_SPLICE = re.compile(r"(?:\\|\?\?/)[ \t]*[\f\v][ \t\f\v]*\r?\n")
 _TRIGRAPH_SPLICE = re.compile(r"\?\?/[ \t]*\r?\n")
 _TRIGRAPH = re.compile(r"\?\?[=/'()!<>-]")
@@ -195,6 +202,7 @@ def _of_compilers(text: str) -> Iterator[str]:
     """What a compiler, or the linker behind it, decides otherwise; *text* is without comments."""
     yield from linked_names(text)
     yield from version_conditions(text)
+    yield from odd_conditions(text)
     if "__VA_OPT__" in text and _OPTIONAL.search(text) is not None:
         yield "what stands in __VA_OPT__"
     yield from (f"the parameter {match[1]} of a macro" for match in _MADE_TEXT.finditer(text))
@@ -204,6 +212,9 @@ def _spellings(text: str) -> Iterator[str]:
     """What is written in a way that cppcheck reads as something else."""
     if _OVER_LINES.search(text) is not None:
         yield "a comment whose end is written over two lines"
+    if _OVER_BEGIN.search(text) is not None and any(match[1] for match in _BEGINS.finditer(text)):
+        yield "a comment whose beginning is written over two lines"
+    yield from odd_lines(text)
     if _ODD_SPLICE.search(text) is not None:
         yield "a line that goes on behind a form feed or vertical tab"
     if "??" in text and (_TRIGRAPH_SPLICE.search(text) or _TRIGRAPH.search(without_comments(text, "c"))):

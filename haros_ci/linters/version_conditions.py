@@ -8,7 +8,7 @@ makes the other branch the one that is compiled; so does a test that another GCC
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from itertools import islice
 from typing import NamedTuple
 
@@ -32,7 +32,9 @@ _MOST_CHAINS, _MOST_BRANCHES = 200, 20
 _CODE = re.compile(r"^(?![ \t]*(?:#|%:))[^\n]*[;{}]", re.M)
 
 
-class _Branch(NamedTuple):
+class Branch(NamedTuple):
+    """A branch: its condition as ``#if`` would have it, and where its text begins and ends."""
+
     condition: str
     begin: int
     end: int
@@ -46,15 +48,22 @@ def version_conditions(code: str) -> Iterator[str]:
                 numbers = [int(number[:9]) for number in _NUMBER.findall(words)]
                 if numbers and numbers[0] >= _NEVER.get(name, _NO_VERSION):
                     yield f"a condition on a version that there is not ({name})"
-    if _OF_GCC.search(code) is not None and any(
-        _is_read_otherwise(code, chain[:_MOST_BRANCHES]) for chain in islice(_chains(code), _MOST_CHAINS)
-    ):
+    if _OF_GCC.search(code) is not None and any(_is_read_otherwise(code, chain) for chain in chains(code, _OF_GCC)):
         yield "a condition on the version of the compiler"
 
 
-def _chains(code: str) -> Iterator[list[_Branch]]:
-    """The branches of each ``#if`` whose condition, or that of one of its ``#elif``, is on the version of GCC."""
-    stack: list[list[_Branch]] = []
+def chains(code: str, asks: re.Pattern[str]) -> Iterator[list[Branch]]:
+    """The branches of each ``#if`` of which a condition, or that of one of its ``#elif``, *asks* for it; the first ones of many."""
+    return (chain[:_MOST_BRANCHES] for chain in islice(_chains(code, asks), _MOST_CHAINS))
+
+
+def has_code(code: str, branches: Iterable[Branch]) -> bool:
+    """Whether more than directives stand in one of *branches*."""
+    return any(_CODE.search(code, branch.begin, branch.end) for branch in branches)
+
+
+def _chains(code: str, asks: re.Pattern[str]) -> Iterator[list[Branch]]:
+    stack: list[list[Branch]] = []
     for match in _DIRECTIVE.finditer(code):
         word = match[1]
         if word.startswith("if"):
@@ -66,16 +75,16 @@ def _chains(code: str) -> Iterator[list[_Branch]]:
             chain[-1] = chain[-1]._replace(end=match.start())
         if word == "endif":
             stack.pop()
-            if any(_OF_GCC.search(branch.condition) for branch in chain):
+            if any(asks.search(branch.condition) for branch in chain):
                 yield chain
         else:
             condition = (
                 match[2] if word in ("if", "elif") else "1" if word == "else" else f"defined({match[2].strip()})"
             )
-            chain.append(_Branch(f"!{condition}" if word.endswith("ndef") else condition, match.end(), match.start()))
+            chain.append(Branch(f"!{condition}" if word.endswith("ndef") else condition, match.end(), match.start()))
 
 
-def _is_read_otherwise(code: str, chain: list[_Branch]) -> bool:
+def _is_read_otherwise(code: str, chain: list[Branch]) -> bool:
     """Whether some GCC compiles a branch with code in it that cppcheck does not look at, by the version alone."""
     given = {name: value for name, value in PLATFORM.items() if name != "__VERSION__"}
     for at, branch in enumerate(chain):
@@ -93,6 +102,6 @@ def _is_read_otherwise(code: str, chain: list[_Branch]) -> bool:
         if all(other == known for other in others):
             continue
         unread = chain[at + 1 :] if known else [branch]
-        if any(_CODE.search(code, one.begin, one.end) for one in unread):
+        if has_code(code, unread):
             return True
     return False

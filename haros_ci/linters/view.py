@@ -16,6 +16,7 @@ from pathlib import Path
 
 from haros_ci.linters.inclusions import confined
 from haros_ci.linters.linter import Linter
+from haros_ci.linters.spelled_conditions import spelled
 from haros_ci.linters.work import Work
 from haros_ci.model.workspace import Workspace
 
@@ -98,8 +99,8 @@ class _Layer:
     def _confined(self, path: str, data: bytes) -> bytes:
         """Byte for byte: only ASCII has a meaning here."""
         text = data.decode("latin-1")
-        made = confined(text, path.rpartition("/")[0], self._sources.__contains__)
-        return data if made is text else made.encode("latin-1")
+        made = confined(spelled(text), path.rpartition("/")[0], self._sources.__contains__)
+        return data if made == text else made.encode("latin-1")
 
     def _write(self, path: str, data: bytes) -> None:
         executables = self._workspace.executables

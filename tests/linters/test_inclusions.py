@@ -108,6 +108,8 @@ def test_it_goes(text: str) -> None:
 #: What has to go, behind what a compiler takes for something else, and what has to stay of it.
 AROUND = [
     ("/*#include*/ CODE", "CODE"),
+    ("/*#include*/#define CODE 1", "#define CODE 1"),
+    ("/*\n#include */ #pragma CODE", "*/ #pragma CODE"),
     ("/*\n#include*/ CODE", "*/ CODE"),
     ('/*\n#include "/x*/ CODE "', "*/ CODE"),
     ("/*\n#/**/include\nCODE", "/**/"),
@@ -129,6 +131,29 @@ AROUND = [
     ('#pragma comment "a"\rCODE', "\rCODE"),
     ('#include "/x\rCODE"', "\rCODE"),
 ]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "// \\ #include",
+        "#define A \\ #include",
+        "/* */ // \\ \\ #line 3",
+        "// ??/ #include",
+        "// ??/ \\ #pragma include 'a'",
+    ],
+)
+def test_the_next_line_does_not_become_a_part_of_it(text: str) -> None:
+    """By a backslash behind which all is blank now."""
+    made = confined(f"{text}\nCODE\n", "src", THERE)
+    assert made.endswith("\nCODE\n") and len(made) == len(text) + 6
+    assert not made.partition("\nCODE")[0].rstrip().endswith(("\\", "??/"))
+
+
+@pytest.mark.parametrize("text", ["#include /**/\\\n a\nCODE", "// \\ #include \\\nCODE", "#inc\\\nlude X\nCODE"])
+def test_a_line_that_went_on_goes_on(text: str) -> None:
+    made = confined(f"{text}\n", "src", THERE)
+    assert made != f"{text}\n" and made.count("\\\n") == text.count("\\\n") and made.endswith("CODE\n")
 
 
 @pytest.mark.parametrize(("text", "left"), AROUND)

@@ -81,6 +81,7 @@ _UNENDED = re.compile(
 _REFERENCE = re.compile(
     r"([\w>]\s{0,9}&\s{0,9}\w{1,80})\(((?=[^;={}]{0,200}?(?:\w\.\w|->))(?:[^(),;={}]|\([^();={}]{0,100}\)){1,200})\)(?=\s{0,9};)"
 )
+_DIGRAPH = re.compile(r"^([ \t]*)%:", re.M)
 _NAME = re.compile(r"\s(?=\s{0,40}(?!(?:and|or|u8|[RLuU])\b)[A-Za-z_]\w{0,80}\s{0,40}[\"),;])")
 _FOREACH = re.compile(r"\b(?:BOOST_FOREACH|BOOST_REVERSE_FOREACH|Q_FOREACH|foreach)(?=\s{0,9}\()")
 #: Macros without semicolons in a row.
@@ -109,8 +110,11 @@ def skeleton(text: str) -> str:
 
 
 def readable(text: str) -> str:
-    """*text* without comments, attributes, export macros and Qt's words; ``BOOST_FOREACH(a, b)`` as ``for (a: b)``."""
-    text = _INCLUDE.sub(r"\1\3\2", without_comments(text))
+    """*text* without comments, attributes, export macros and Qt's words; ``BOOST_FOREACH(a, b)`` as ``for (a: b)``, ``%:if`` as ``# if``."""
+    text = without_comments(text)
+    if "%:" in text:
+        text = _DIGRAPH.sub(r"\1# ", text)
+    text = _INCLUDE.sub(r"\1\3\2", text)
     if "[[" in text:
         text = _ATTRIBUTE.sub(lambda match: _spaces(match.group()) if match["attribute"] else match.group(), text)
     code = text
