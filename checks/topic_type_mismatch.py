@@ -16,6 +16,7 @@ from haros_ci.api import (
     System,
     by_types,
     can_meet,
+    is_never_made,
     line_of,
     named_at,
     rule_of,
@@ -53,7 +54,7 @@ class _Types:
         self._system = system
         self._known: dict[End, frozenset[str | None]] = {}
         self._alike: dict[tuple[int, str], list[End]] = {}
-        for end in topic.ends:
+        for end in (end for end in topic.ends if not is_never_made(end)):
             self._alike.setdefault((id(end.node), end.kind), []).append(end)
 
     def differ(self, one: End, other: End) -> bool:
@@ -64,9 +65,9 @@ class _Types:
         return None not in types | others and not types & others
 
     def _of(self, end: End) -> frozenset[str | None]:
-        """Its type, and those of the ends that the same node has instead: under other conditions, or in other releases."""
+        """Its type, and those of the ends that the same node has instead: under other conditions that may hold, or in other releases."""
         if end not in self._known:
-            alike = self._alike[id(end.node), end.kind]
+            alike = self._alike.get((id(end.node), end.kind), [end])
             if _is_choice(end):
                 self._known[end] = frozenset(other_end.type for other_end in alike if _is_choice(other_end))
             else:

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from haros_ci.checking.check import API_VERSION, Check, Decidability, Finding, Status
 from haros_ci.checking.closed import unmet
-from haros_ci.checking.coexistence import by_types, can_meet
+from haros_ci.checking.coexistence import by_types, can_meet, is_never_made
 from haros_ci.checking.compatibility import in_words as qos_in_words
 from haros_ci.checking.compatibility import refused_pairs, refuses
 from haros_ci.checking.given import (
@@ -81,6 +81,7 @@ __all__ = [
     "is_mentioned",
     "is_read_besides",
     "is_moved",
+    "is_never_made",
     "is_opaque",
     "is_slip",
     "line_of",

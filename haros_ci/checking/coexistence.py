@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterable, Iterator
 from itertools import product
 from typing import TYPE_CHECKING
@@ -12,6 +13,25 @@ from haros_ci.model.presence import together
 
 if TYPE_CHECKING:
     from haros_ci.checking.system import End
+
+
+#: Longer conditions count as none of values alone.
+_LONGEST = 400
+#: A condition of values alone, which no parameter, argument or macro changes.
+_CONSTANT = re.compile(
+    r"(?:[\d\s()<>=!&|+*/%~^,.-]|\b(?:[tT]rue|[fF]alse|not|and|or|is|in|None|nullptr|NULL)\b|\"[^\"\\]*\"|'[^'\\]*')+"
+)
+
+
+def is_never_made(end: End) -> bool:
+    """Whether no run of its program makes it, whatever it is given: what is not compiled, or stands below ``if False``."""
+    return end.raw.is_ruled_out and all(
+        condition.statement == "#if" or _is_constant(condition.condition) for condition in end.conditions
+    )
+
+
+def _is_constant(condition: str) -> bool:
+    return len(condition) <= _LONGEST and _CONSTANT.fullmatch(condition) is not None
 
 
 def can_meet(first: Iterable[End], second: Iterable[End]) -> Iterator[tuple[End, End]]:

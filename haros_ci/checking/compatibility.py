@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
-from haros_ci.checking.coexistence import can_meet
+from haros_ci.checking.coexistence import can_meet, is_never_made
 from haros_ci.checking.system import Channel, End, System
 from haros_ci.model.architecture import Qos
 from haros_ci.model.location import Location
@@ -155,7 +155,8 @@ def refused_pairs(channel: Channel, policy: str) -> Iterator[Pair]:
                 continue
             if _is_chosen(giver, [twin for twin in present if twin not in refused]):
                 continue
-            twins = (twin for twin in channel.takers if not _are_incompatible(channel, policy, giver.qos, twin.qos))
+            there = (twin for twin in channel.takers if not is_never_made(twin))
+            twins = (twin for twin in there if not _are_incompatible(channel, policy, giver.qos, twin.qos))
             if not _is_chosen(taker, [twin for twin in twins if not _differ(giver, twin)]):
                 yield Pair(channel, giver, taker, len(refused) == len(present))
 

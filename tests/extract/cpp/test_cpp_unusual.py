@@ -111,3 +111,10 @@ def test_attributes_with_a_text() -> None:
 )
 def test_much_of_it_is_read_to_its_end(text: str) -> None:
     assert len(read_cpp(text * 2000).problems) <= 5
+
+
+def test_directives_behind_a_digraph() -> None:
+    same = "void f() {{\n{hash}ifdef A\n  a();\n{hash}else\n  b();\n{hash}endif\n}}\n"
+    assert read_cpp(same.format(hash="%:")) == read_cpp(same.format(hash="# "))
+    assert value('"%:if"') == ("str", "%:if")
+    assert not read_cpp("int f(int a) { return 7 %a; }\n").problems
