@@ -15,6 +15,8 @@ if TYPE_CHECKING:
     from haros_ci.checking.system import End
 
 
+#: Statements whose condition decides whether what is below them is done once or never.
+_DECIDED = ("if", "elif", "else")
 #: Longer conditions count as none of values alone.
 _LONGEST = 400
 #: A condition of values alone, which no parameter, argument or macro changes.
@@ -26,8 +28,13 @@ _CONSTANT = re.compile(
 def is_never_made(end: End) -> bool:
     """Whether no run of its program makes it, whatever it is given: what is not compiled, or stands below ``if False``."""
     return end.raw.is_ruled_out and all(
-        condition.statement == "#if" or _is_constant(condition.condition) for condition in end.conditions
+        condition.statement == "#if" or _is_constant(condition.condition) for condition in end.raw.conditions
     )
+
+
+def in_doubt(conditions: tuple[Condition, ...]) -> tuple[Condition, ...]:
+    """Those of *conditions*, around what no condition rules out, that may not hold: ``if True`` always does."""
+    return tuple(c for c in conditions if c.statement not in _DECIDED or not _is_constant(c.condition))
 
 
 def _is_constant(condition: str) -> bool:

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 from functools import cached_property
 from typing import TypeVar
 
-from haros_ci.checking.coexistence import can_meet
+from haros_ci.checking.coexistence import can_meet, in_doubt
 from haros_ci.checking.given import Given, Names, give, taken_in
 from haros_ci.checking.kinds import ACTION, SERVICE, TOPIC, WORDS
 from haros_ci.checking.whole import Whole
@@ -78,8 +78,9 @@ class End:
 
     @property
     def conditions(self) -> tuple[Condition, ...]:
-        """The statements around the call, outermost first."""
-        return self.raw.conditions
+        """The statements around the call that may not hold, outermost first."""
+        raw = self.raw
+        return raw.conditions if raw.is_ruled_out or not raw.conditions else in_doubt(raw.conditions)
 
     @property
     def implicit(self) -> bool:

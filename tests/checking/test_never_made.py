@@ -8,12 +8,12 @@ from typing import Any, cast
 
 import pytest
 
-from haros_ci.checking.coexistence import is_never_made
+from haros_ci.checking.coexistence import in_doubt, is_never_made
 
 
 def made(*conditions: tuple[str, str], ruled_out: bool = True) -> Any:
     found = tuple(SimpleNamespace(statement=statement, condition=text) for statement, text in conditions)
-    return cast("Any", SimpleNamespace(raw=SimpleNamespace(is_ruled_out=ruled_out), conditions=found))
+    return cast("Any", SimpleNamespace(raw=SimpleNamespace(is_ruled_out=ruled_out, conditions=found)))
 
 
 @pytest.mark.parametrize(
@@ -62,3 +62,22 @@ def test_what_is_not_ruled_out() -> None:
 def test_long_conditions_are_not_looked_at() -> None:
     assert not is_never_made(made(("if", "(" * 1_000)))
     assert is_never_made(made(("if", "(" * 300)))
+
+
+@pytest.mark.parametrize(
+    ("statement", "text", "is_kept"),
+    [
+        *((statement, text, False) for statement in ("if", "elif", "else") for text in ("True", "1 == 1", "false")),
+        *(
+            ("while", "True", True),
+            ("for", "1", True),
+            ("catch", "", True),
+            ("#if", "#if 1", True),
+            ("switch", "1", True),
+        ),
+        *(("if", "use", True), ("else", "1 if a else 0", True), ("unless", "", True)),
+    ],
+)
+def test_conditions_that_always_hold_are_none(statement: str, text: str, is_kept: bool) -> None:
+    conditions = made(("if", "a"), (statement, text)).raw.conditions
+    assert len(in_doubt(conditions)) == 1 + is_kept
