@@ -22,6 +22,25 @@ _SEARCHING = re.compile(
 )
 #: What the build makes in a package of Python: interfaces, reconfigurations and extensions.
 _MADE = frozenset(("msg", "srv", "action", "cfg", "parameters"))
+#: What Python takes for no module, nor a build makes one of.
+_DATA = (
+    ".pyi",
+    ".txt",
+    ".md",
+    ".rst",
+    ".yaml",
+    ".yml",
+    ".json",
+    ".csv",
+    ".xml",
+    ".png",
+    ".jpg",
+    ".svg",
+    ".html",
+    ".ipynb",
+    ".bak",
+    ".orig",
+)
 #: Longer files are not looked at, nor more files of one program.
 MAX_TEXT = 300_000
 MAX_FILES = 500
@@ -87,8 +106,11 @@ class OwnModules:
 
     def _is_folder(self, place: str) -> bool:
         """Whether a directory, or a module in another form than text, is at *place*."""
-        starts = (f"{place}/", f"{place}.")
-        return any(name.startswith(starts) for name in self.package.project.workspace.names)
+        inside, other = f"{place}/", f"{place}."
+        return any(
+            name.startswith(inside) or (name.startswith(other) and not name.endswith(_DATA))
+            for name in self.package.project.workspace.names
+        )
 
     def _may_come(self, place: str) -> bool:
         name = place.rpartition("/")[2]

@@ -69,6 +69,33 @@ def test_a_module_that_another_one_imports(tmp_path: Path) -> None:
     assert "it imports hand, which is demo.parts.hand" in message
 
 
+@pytest.mark.parametrize("name", ["hand.pyi", "hand.txt", "hand.md", "hand.yaml", "hand.json"])
+def test_a_file_of_the_name_that_is_no_module(name: str, tmp_path: Path) -> None:
+    (message,) = messages("from demo.hand import A", tmp_path, {f"demo/{name}": "A: int\n"})
+    assert "it imports demo.hand, which does not exist" in message
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        "hand.so",
+        "hand.cpython-310-x86_64-linux-gnu.so",
+        "hand.pyd",
+        "hand.pyx",
+        "hand.pyc",
+        "hand.c",
+        "hand.cpp",
+        "hand.py.in",
+        "hand.ui",
+        "hand/a.py",
+    ],
+)
+def test_a_module_in_another_form(name: str, tmp_path: Path) -> None:
+    assert (
+        messages("from demo.hand import A", tmp_path, {f"demo/{name}": "A\n" if "/" not in name else "A = 1\n"}) == []
+    )
+
+
 @pytest.mark.parametrize(
     ("imports", "more"),
     [
