@@ -279,7 +279,7 @@ UNREADABLE = {
     "a condition of compilers": (A, f"#if __has_builtin(__builtin_expect)\n#endif\n{DEFECT}", "cppcheck"),
     "a name that is not ASCII": (A, f"int \xe9;\n{DEFECT}", "cppcheck"),
     "a name in hexadecimal": (A, f"int \\u00e9;\n{DEFECT}", "cppcheck"),
-    "digraphs": (A, f"%:define A 1\n{DEFECT}", "cppcheck"),
+    "digraphs": (A, f"int e()\n<%\n  return 0;\n%>\n{DEFECT}", "cppcheck"),
     "a macro that opens a block": (
         A,
         f"#ifdef NEVER\n#else\n#define OPEN {{\n#endif\nnamespace a OPEN\nCALL(}}\n{DEFECT}",
