@@ -20,6 +20,10 @@ _THREAD = re.compile(r"[ \t]*((?:\w+\.)?\w+)[ \t]*(?::[^=\n]{0,80})?=[ \t]*(?:[\
 _ATTRIBUTE = re.compile(r"(?:self|cls)\.(\w+)[ \t]*\(")
 _ABSTRACT = re.compile(r"\bABC(?:Meta)?\b|\babstract|\bNotImplementedError\b", re.IGNORECASE)
 
+_WORD = re.compile(r"[^\W\d]\w*")
+#: How methods call the object, the class, and the class of a class.
+_OBJECTS = frozenset(("self", "cls", "mcs", "mcls", "metacls", "klass", "this"))
+
 
 def is_placeholder(text: str, line: int) -> bool:
     """Whether the thread without a target that *line* makes is given another value, a thread with one, in the same class."""
@@ -156,3 +160,35 @@ def is_stub(text: str, line: int) -> bool:
                 value = body[0].value
                 return isinstance(value, ast.Constant) and value.value in (None, ...)
     return False
+
+
+def is_instead_of_import(text: str, line: int) -> bool:
+    """Whether the function or class at *line* takes the name of what the file imports and does not use before: the import alone is too much."""
+    tree = nodes(text)
+    defined = (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)
+    node = next((one for one in tree if isinstance(one, defined) and _first_line(one) <= line <= one.lineno), None)
+    if node is None or node.col_offset:
+        return False
+    above = [one for one in tree if 0 < getattr(one, "lineno", 0) < _first_line(node)]
+    bound = [one for one in above if isinstance(one, defined) and one.name == node.name]
+    imported = [
+        one
+        for one in above
+        if isinstance(one, (ast.Import, ast.ImportFrom)) and any(_bound(alias) == node.name for alias in one.names)
+    ]
+    return bool(imported) and not bound and not any(isinstance(one, ast.Name) and one.id == node.name for one in above)
+
+
+def _first_line(node: ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef) -> int:
+    return min([node.lineno, *(decorator.lineno for decorator in node.decorator_list)])
+
+
+def _bound(alias: ast.alias) -> str:
+    return alias.asname or alias.name.partition(".")[0]
+
+
+def is_no_object(text: str, line: int, column: int) -> bool:
+    """Whether what is assigned there is called neither ``self`` nor ``cls``: the method lacks its first parameter, and assigns to its second one."""
+    lines = text.split("\n")
+    found = _WORD.match(lines[line - 1], column) if 0 < line <= len(lines) else None
+    return found is not None and found[0] not in _OBJECTS
