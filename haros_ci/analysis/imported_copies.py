@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Packages of others that a team put into its repository whole and never touched: by the history of the checkout, and by what stands in and beside their manifests."""
+"""Packages of others that a team put into its repository whole and hardly touched: by the history of the checkout, and by what stands in and beside their manifests."""
 
 from __future__ import annotations
 
@@ -35,35 +35,35 @@ _OF_RELEASES = re.compile(
 
 def imported(
     workspace: Workspace, people: Mapping[str, frozenset[str]], manifest: Callable[[Package], str]
-) -> frozenset[str]:
-    """The directories of packages that have come in one commit, have not been changed since, and are by others than who commits.
+) -> Mapping[str, frozenset[str]]:
+    """The directories of packages that have come in one commit, have hardly been changed since, and are by others than who commits, each with its changed files.
 
     Their manifests name *people* (by directory), none of whom, and nobody of whose organisation, has written a commit or is named by a package that has
-    been changed, and none of their pages is of an owner that such a package's page has; and one of them, or another of these packages that names
+    been changed more, and none of their pages is of an owner that such a package's page has; and one of them, or another of these packages that names
     one of the same people, names a page, or stands as a repository does: with its list of changes, or with a licence and a README. Some other
     package is worked on. Without history (none at all, a shallow clone, a very long one) there is none.
     """
     manifests = {package.path: manifest(package) for package in workspace.packages if package.path != "."}
     if len({people[path] for path in manifests} - {frozenset()}) < 2:
-        return frozenset()
+        return {}
     known = imports(Path(workspace.root), manifests)
     if not known.unchanged or max((known.changes.get(path, 0) for path in manifests), default=0) < WORKED_ON:
-        return frozenset()
+        return {}
     others = _by_others(known, people, manifests)
     sure = [path for path in others if _PAGE.search(manifests[path]) or _is_whole(path, others, workspace)]
     named = frozenset[str]().union(*(people[path] for path in sure))
-    return frozenset(path for path in others if not named.isdisjoint(people[path]))
+    return {path: known.unchanged[path] for path in sorted(others) if not named.isdisjoint(people[path])}
 
 
 def _by_others(known: Imports, people: Mapping[str, frozenset[str]], manifests: Mapping[str, str]) -> frozenset[str]:
     """The unchanged packages of which neither the people nor the owners of pages are of the team."""
-    own = manifests.keys() - known.unchanged
+    own = manifests.keys() - known.unchanged.keys()
     authors = frozenset(word.lower() for word in known.authors)
     team = frozenset[str]().union(*map(_marks, (authors, *(people[path] for path in own))))
     owners = frozenset(owner for path in own for owner in _owners(manifests[path]))
     return frozenset(
         path
-        for path in manifests.keys() & known.unchanged
+        for path in manifests.keys() & known.unchanged.keys()
         if people[path] and team.isdisjoint(_marks(people[path])) and owners.isdisjoint(_owners(manifests[path]))
     )
 

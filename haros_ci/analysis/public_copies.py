@@ -79,11 +79,11 @@ def quiet(workspace: Workspace, settings: Settings) -> Workspace:
     is_compared = settings.baseline or settings.baseline_rev or settings.base_missing
     if is_compared or settings.with_copies or workspace.targets is not None:
         return workspace
-    directories = copies(workspace)
+    directories, changed = _copies(workspace)
     if not directories:
         return workspace
     files = (
-        file if file.third_party else replace(file, third_party=around(file.path, directories))
+        file if file.third_party or file.path in changed else replace(file, third_party=around(file.path, directories))
         for file in workspace.files
     )
     return replace(workspace, files=tuple(files))
@@ -93,25 +93,31 @@ def copies(workspace: Workspace) -> frozenset[str]:
     """The outermost directories in which all packages are copies of public ones.
 
     A package is one if a distribution has its name, or that of the page or repository that it names, or it is a driver that its maker publishes, or it lies in an archive that was
-    downloaded, or it was put in whole and never changed (imported_copies), or it was never released and stands beside one that is in all else its like; and if it names people, none of whom any other package names; outside of archives its name may not begin as one of those either. With nothing of its own a workspace is the original.
+    downloaded, or it was put in whole and hardly changed (imported_copies), or it was never released and stands beside one that is in all else its like; and if it names people, none of whom any other package names; outside of archives its name may not begin as one of those either. With nothing of its own a workspace is the original.
     """
+    return _copies(workspace)[0]
+
+
+def _copies(workspace: Workspace) -> tuple[frozenset[str], frozenset[str]]:
+    """These directories, and the files below them that the team has changed in packages that are no public ones."""
     people = {package.path: _people(package, workspace) for package in workspace.packages}
     put_in = imported(workspace, people, lambda package: _manifest(package, workspace))
-    candidates = _candidates(workspace, put_in)
+    public = _public(workspace)
+    candidates = [*public, *(one for one in workspace.packages if one.path in put_in and one not in public)]
     own = [package for package in workspace.packages if package not in candidates]
     if not own:
-        return frozenset()
+        return frozenset(), frozenset()
     words = {_first_word(package.name) for package in own} - _COMMON
-    foreign = _by_others(candidates, own, _Own(people, frozenset(words), put_in))
+    foreign = _by_others(candidates, own, _Own(people, frozenset(words), frozenset(put_in)))
     found = {package.path for package in foreign}
-    return _outermost(found, [package.path for package in workspace.packages if package.path not in found])
+    changed = frozenset[str]().union(*(put_in.get(package.path, ()) for package in foreign if package not in public))
+    return _outermost(found, [package.path for package in workspace.packages if package.path not in found]), changed
 
 
-def _candidates(workspace: Workspace, put_in: frozenset[str]) -> list[Package]:
-    """The packages that would be copies if they are by others than the team: public ones, and those that were *put_in* whole."""
+def _public(workspace: Workspace) -> list[Package]:
+    """The packages that would be copies of public ones if they are by others than the team."""
     public = [package for package in workspace.packages if _may_be_public(package, workspace)]
-    public += [package for package in workspace.packages if _is_of_a_stack(package, public, workspace)]
-    return [*public, *(package for package in workspace.packages if package.path in put_in and package not in public)]
+    return [*public, *(package for package in workspace.packages if _is_of_a_stack(package, public, workspace))]
 
 
 @dataclass(frozen=True, slots=True)

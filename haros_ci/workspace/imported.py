@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the history of HEAD says of directories: whether their files have been changed since they came, and who has written commits.
+"""What the history of HEAD says of directories: which of their files have been changed since they came, and who has written commits.
 
-Somebody's package that was put into a workspace has come in one commit and has stayed as it came. History tells that only where all of it
-is there: nothing is said of a shallow clone, nor of a history that is longer than what is read.
+Somebody's package that was put into a workspace has come in one commit, and has stayed as it came but for a few files. History tells that
+only where all of it is there: nothing is said of a shallow clone, nor of a history that is longer than what is read.
 """
 
 from __future__ import annotations
 
 import os
-from collections import defaultdict
+from collections import Counter, defaultdict
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -18,20 +18,26 @@ from haros_ci.workspace.git import GitError, Repository, repository_of, run_git
 #: Commits of the longest history that is read, and bytes of what git prints of it.
 MOST_COMMITS = 3_000
 MAX_LOG = 40_000_000
+#: Of so many files of a directory one may have been changed.
+FEW = 8
+_MANIFEST = "package.xml"
 
 _FORMAT = "--format=%x01%H%x02%an%x02%ae"
 
 
 @dataclass(frozen=True, slots=True)
 class Imports:
-    """The directories that are *unchanged* since they came, in how many commits files of the others were changed, and the *authors* of commits (names and addresses)."""
+    """The directories that have come in one commit and are nearly *unchanged*, with the files that are not as they came.
 
-    unchanged: frozenset[str]
+    *changes* is in how many commits files of the others were changed, *authors* are those of all commits (names and addresses).
+    """
+
+    unchanged: Mapping[str, frozenset[str]]
     changes: Mapping[str, int]
     authors: frozenset[str]
 
 
-NOTHING = Imports(frozenset(), {}, frozenset())
+NOTHING = Imports({}, {}, frozenset())
 
 
 @dataclass(frozen=True, slots=True)
@@ -94,25 +100,32 @@ def _commit(header: bytes, entries: Iterable[tuple[str, str, str]]) -> _Commit:
 
 def _judged(commits: Iterable[_Commit], paths: Iterable[str], prefix: str, directories: frozenset[str]) -> Imports:
     """The files at *paths* of HEAD followed backwards through *commits*, newest first."""
-    homes = {path: _home(path.removeprefix(prefix), directories) for path in paths}
-    files = _Files(homes, {path: [path] for path in homes}, defaultdict(set), defaultdict(set))
+    by_home: dict[str, list[str]] = defaultdict(list)
+    for path in paths:
+        by_home[_home(path.removeprefix(prefix), directories)].append(path)
+    files = _Files({path: [path] for every in by_home.values() for path in every}, {}, defaultdict(set))
     authors: set[str] = set()
     for commit in commits:
         authors.update(commit.authors)
         files.go_back(commit)
-    lost = {homes[final] for here in files.at.values() for final in here}
-    whole = {home for home, names in files.came.items() if home not in lost and len(names) == 1}
-    unchanged = frozenset(home for home in whole if home and home not in files.changed)
-    return Imports(unchanged, {home: len(names) for home, names in files.changed.items()}, frozenset(authors))
+    unchanged: dict[str, frozenset[str]] = {}
+    changes: dict[str, int] = {}
+    for home, every in by_home.items():
+        touched = files.touched(every)
+        manifest = f"{prefix}{home}/{_MANIFEST}"
+        if home and touched is not None and manifest not in touched and FEW * len(touched) <= len(every):
+            unchanged[home] = frozenset(path.removeprefix(prefix) for path in touched)
+        else:
+            changes[home] = len(frozenset[str]().union(*(files.changed.get(path, ()) for path in every)))
+    return Imports(unchanged, changes, frozenset(authors))
 
 
 @dataclass(frozen=True, slots=True)
 class _Files:
-    """Files of HEAD by the names that they had *at* some commit, their *homes*, and the commits in which files of each home *came* and were *changed*."""
+    """Files of HEAD by the names that they had *at* some commit, the commit that each *came* in, and those in which it was *changed*."""
 
-    homes: Mapping[str, str]
     at: dict[str, list[str]]
-    came: defaultdict[str, set[str]]
+    came: dict[str, str]
     changed: defaultdict[str, set[str]]
 
     def go_back(self, commit: _Commit) -> None:
@@ -122,16 +135,25 @@ class _Files:
             here = self.at.get(path)
             if here is None or letter not in "AMTRC":
                 continue
-            if letter != "R":
-                found = self.came if letter in "AC" else self.changed
-                for final in here:
-                    found[self.homes[final]].add(commit.name)
+            for final in here:
+                if letter in "MT":
+                    self.changed[final].add(commit.name)
+                elif letter in "AC":
+                    self.came[final] = commit.name
             if letter not in "MT":
                 del self.at[path]
             if letter == "R":
                 moved.append((old, here))
         for old, here in moved:
             self.at.setdefault(old, []).extend(here)
+
+    def touched(self, paths: Iterable[str]) -> frozenset[str] | None:
+        """Those of *paths* that were changed, or did not come with most of them; None if the history of one is not seen."""
+        came = {path: self.came.get(path) for path in paths}
+        if None in came.values():
+            return None
+        first = Counter(came.values()).most_common(1)[0][0]
+        return frozenset(path for path, commit in came.items() if commit != first or path in self.changed)
 
 
 def _home(path: str, directories: frozenset[str]) -> str:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Packages of others that came whole and were never changed, as the history of the checkout has it."""
+"""Packages of others that came whole and were hardly changed, as the history of the checkout has it."""
 
 from __future__ import annotations
 
@@ -10,7 +10,8 @@ from pathlib import Path
 import pytest
 from git_histories import Git, plant
 
-from haros_ci.analysis.public_copies import copies
+from haros_ci.analysis.public_copies import copies, quiet
+from haros_ci.config.settings import Settings
 from haros_ci.workspace import imported
 from haros_ci.workspace.discover import discover
 
@@ -131,6 +132,51 @@ def test_what_the_team_changes_is_its_own(git: Git, change: dict[str, bytes]) ->
     work(git, {**TEAM, **LASER})
     git.commit(change)
     assert found(git) == set()
+
+
+MANY = {f"src/beam_of_theirs/beam/part_{number}.py": b"print(1)\n" for number in range(14)}
+
+
+def test_files_that_the_team_has_changed_have_findings(git: Git) -> None:
+    """Two of sixteen: the others are as they came."""
+    work(git, {**TEAM, **LASER, **MANY})
+    git.commit({"src/beam_of_theirs/run.py": b"print(0)\n", "src/beam_of_theirs/more.py": b"print(0)\n"})
+    workspace = quiet(discover(git.top, (".",)), Settings(root=git.top))
+    kept = [file.path for file in workspace.files if not file.third_party]
+    assert kept == [
+        "src/arm_of_ours/package.xml",
+        "src/arm_of_ours/run.py",
+        "src/beam_of_theirs/more.py",
+        "src/beam_of_theirs/run.py",
+    ]
+
+
+@pytest.mark.parametrize(
+    "changed",
+    [
+        ("run.py", "beam/part_1.py", "beam/part_2.py"),
+        ("run.py", "beam/part_1.py", "more.py"),
+        ("package.xml",),  # who writes the manifest has the package
+    ],
+)
+def test_more_changes_are_a_fork(git: Git, changed: tuple[str, ...]) -> None:
+    work(git, {**TEAM, **LASER, **MANY})
+    texts = {path: git.top.joinpath("src/beam_of_theirs", path) for path in changed}
+    git.commit(
+        {
+            f"src/beam_of_theirs/{path}": (place.read_bytes() if place.exists() else b"") + b"\n"
+            for path, place in texts.items()
+        }
+    )
+    assert found(git) == set()
+
+
+@pytest.mark.parametrize("is_compared", [True, False])
+def test_with_something_to_compare_with_nothing_is_quiet(git: Git, is_compared: bool) -> None:
+    work(git, {**TEAM, **LASER})
+    settings = Settings(root=git.top, baseline_rev="HEAD" if is_compared else None)
+    workspace = quiet(discover(git.top, (".",)), settings)
+    assert any(file.third_party for file in workspace.files) is not is_compared
 
 
 def test_a_move_with_changes_is_no_coming(git: Git) -> None:
