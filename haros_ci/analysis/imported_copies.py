@@ -64,8 +64,15 @@ def _by_others(known: Imports, people: Mapping[str, frozenset[str]], manifests: 
     return frozenset(
         path
         for path in manifests.keys() & known.unchanged.keys()
-        if people[path] and team.isdisjoint(_marks(people[path])) and owners.isdisjoint(_owners(manifests[path]))
+        if any(map(_is_somebody, people[path]))
+        and team.isdisjoint(_marks(people[path]))
+        and owners.isdisjoint(_owners(manifests[path]))
     )
+
+
+def _is_somebody(word: str) -> bool:
+    """Whether a name or address tells who somebody is: one word is the user of a computer, as wizards write it."""
+    return "@" in word or len(_WORD.findall(word)) > 1
 
 
 def _marks(words: Iterable[str]) -> frozenset[str]:

@@ -8,7 +8,7 @@ only where all of it is there: nothing is said of a shallow clone, nor of a hist
 from __future__ import annotations
 
 import os
-from collections import Counter, defaultdict
+from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -148,12 +148,10 @@ class _Files:
             self.at.setdefault(old, []).extend(here)
 
     def touched(self, paths: Iterable[str]) -> frozenset[str] | None:
-        """Those of *paths* that were changed, or did not come with most of them; None if the history of one is not seen."""
-        came = {path: self.came.get(path) for path in paths}
-        if None in came.values():
-            return None
-        first = Counter(came.values()).most_common(1)[0][0]
-        return frozenset(path for path, commit in came.items() if commit != first or path in self.changed)
+        """Those of *paths* that were changed; None if not all came in one commit that is seen: who adds files to a package works on it."""
+        paths = tuple(paths)
+        came = {self.came.get(path) for path in paths}
+        return None if len(came) != 1 or None in came else frozenset(path for path in paths if path in self.changed)
 
 
 def _home(path: str, directories: frozenset[str]) -> str:
