@@ -16,6 +16,7 @@ from haros_ci.linters.pylint_idioms import (
     is_instead_of_import,
     is_left_to_subclasses,
     is_no_object,
+    is_of_known_key,
     is_one_of_several,
     is_placeholder,
     is_stub,
@@ -126,6 +127,8 @@ def is_refuted(rule: str, line: int, column: int, text: str) -> bool:  # noqa: C
         return is_test_for_nan(text, line)
     if rule == "function-redefined":
         return is_used_before(text, line) or is_instead_of_import(text, line)
+    if rule == "modified-iterating-dict":
+        return is_of_known_key(text, line)
     if rule == "self-cls-assignment":
         return is_no_object(text, line, column)
     if rule == "invalid-sequence-index":

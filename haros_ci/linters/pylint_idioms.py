@@ -16,6 +16,8 @@ from haros_ci.results.scope import scopes
 #: Lines of one statement, and characters of a line, that are looked at.
 _MOST = 12
 _LONGEST = 400
+#: How far above a loop a dictionary is made.
+_MADE = 60
 _THREAD = re.compile(r"[ \t]*((?:\w+\.)?\w+)[ \t]*(?::[^=\n]{0,80})?=[ \t]*(?:[\w.]+\.)?\w*Thread\([ \t]*\)")
 _ATTRIBUTE = re.compile(r"(?:self|cls)\.(\w+)[ \t]*\(")
 _ABSTRACT = re.compile(r"\bABC(?:Meta)?\b|\babstract|\bNotImplementedError\b", re.IGNORECASE)
@@ -192,3 +194,20 @@ def is_no_object(text: str, line: int, column: int) -> bool:
     lines = text.split("\n")
     found = _WORD.match(lines[line - 1], column) if 0 < line <= len(lines) else None
     return found is not None and found[0] not in _OBJECTS
+
+
+def is_of_known_key(text: str, line: int) -> bool:
+    """Whether the statement at *line* sets a key that the dictionary has been made with, by a literal above: its size stays, and the loop goes on."""
+    statement = _statement(text, line)
+    target = statement.targets[0] if isinstance(statement, ast.Assign) else None
+    target = statement.target if isinstance(statement, ast.AugAssign) else target
+    if not isinstance(target, ast.Subscript) or not isinstance(target.slice, ast.Constant):
+        return False
+    name, key = ast.unparse(target.value), target.slice.value
+    made = [node for node in nodes(text) if isinstance(node, ast.Assign) and 0 < line - node.lineno <= _MADE]
+    last = [node for node in made if any(ast.unparse(one) == name for one in node.targets)][-1:]
+    return any(
+        isinstance(node.value, ast.Dict)
+        and any(isinstance(one, ast.Constant) and one.value == key for one in node.value.keys)
+        for node in last
+    )

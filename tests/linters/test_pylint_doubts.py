@@ -576,3 +576,27 @@ def test_a_function_that_is_defined_twice(text: str) -> None:
 def test_an_assignment_to_what_is_no_object(first: str, expected: bool) -> None:
     text = f"class A:\n    def unit({first}):\n        {first} = {first} / 2\n"
     assert is_refuted("self-cls-assignment", 3, 8, text) is expected
+
+
+ALL = "def f(a):\n    had = {}\n    for key in had:\n        {}\n    return had\n"
+
+
+@pytest.mark.parametrize(
+    ("made", "change", "expected"),
+    [
+        ("{'all': True, 'a': a}", "had['all'] = had['all'] and had[key]", True),
+        ("{'all': 0, 'a': a}", "had['all'] += had[key]", True),
+        ("{'a': a}", "had['all'] = had[key]", False),
+        ("dict(a)", "had['all'] = had[key]", False),
+        ("{'all': 0}\n    had = {}", "had['all'] = had[key]", False),
+        ("{'all': 0}", "had[key + 'x'] = 1", False),
+        ("{'all': 0}", "del had['all']", False),
+        ("{'all': 0}", "had.pop('all')", False),
+        ("{**a}", "had['all'] = 1", False),
+    ],
+)
+def test_a_key_that_the_dictionary_has(made: str, change: str, expected: bool) -> None:
+    """What is iterated over keeps its size if a key that is there gets another value."""
+    text = ALL.replace("had = {}", f"had = {made}").replace("        {}", f"        {change}")
+    line = next(number for number, part in enumerate(text.split("\n"), 1) if part.strip() == change)
+    assert is_refuted("modified-iterating-dict", line, 8, text) is expected
