@@ -146,3 +146,19 @@ def test_a_condition_that_is_a_switch(condition: str, level: str, tmp_path: Path
     files = {**PACKAGE, "launch/a.launch.py": CONDITION.format(condition)}
     found = messages("constant-launch-condition", files, tmp_path)
     assert [level for level, _ in found] == [level]
+
+
+@pytest.mark.parametrize("has_build", [True, False])
+def test_a_program_of_a_package_that_nothing_builds(has_build: bool, tmp_path: Path) -> None:
+    """The missing CMakeLists.txt is what is wrong: wrong-build-type says it."""
+    files = {f"demo/{path}": text for path, text in PACKAGE.items()}
+    files |= {
+        "demo/launch/a.launch.py": LAUNCH.replace('package="demo"', 'package="lines"'),
+        "lines/package.xml": PACKAGE["package.xml"].replace("<name>demo<", "<name>lines<"),
+        "lines/install.cmake": "set(LINES 1)\n",
+        "lines/include/lines/lines.h": "int lines();\n",
+    }
+    if has_build:
+        files["lines/CMakeLists.txt"] = PACKAGE["CMakeLists.txt"].replace("demo", "lines").replace("talker", "hearer")
+        files["lines/hearer.cpp"] = PACKAGE["talker.cpp"]
+    assert [level for level, _ in messages("unknown-executable", files, tmp_path)] == ["error"] * has_build
