@@ -55,10 +55,11 @@ def _of_constructor(project: Project, made: list[Callback]) -> Iterator[Finding]
     if maker.is_test or len(statements) > _MANY or _BY_NAME.search(alone(code, maker.path)):
         return
     available = _available(code, maker)
-    for callback in made[:_CALLBACKS]:
-        late = _late(code, callback, statements, available)
-        if late is not None:
-            yield _finding(project, late)
+    found = [_late(code, callback, statements, available) for callback in made[:_CALLBACKS]]
+    every = [late for late in found if late is not None]
+    for group in ([late for late in every if late.waits], [late for late in every if not late.waits]):
+        if group:
+            yield _finding(project, group)
 
 
 def _late(code: Codebase, callback: Callback, statements: syntax.Block, available: frozenset[str]) -> _Late | None:
@@ -205,28 +206,39 @@ def _reads(part: syntax.Part) -> Iterator[str]:
             waiting += reversed(syntax.below(node))
 
 
-def _finding(project: Project, late: _Late) -> Finding:
+def _finding(project: Project, group: list[_Late]) -> Finding:
+    """One finding for the callbacks of a constructor: who moves one to its end moves them all."""
+    late, *others = group
     callback = late.callback
-    maker, line = callback.maker, callback.call.line
-    text = project.text(maker.path).split("\n")
-    places = []
-    for name in late.names:
-        pattern = re.compile(rf"\bself\.{re.escape(name)}\b[^=\n]*=(?!=)")
-        found = next((n for n in range(line, len(text)) if pattern.search(text[n])), None)
-        places += [(Location(maker.path, found + 1), f"self.{name} is set here")] if found is not None else []
+    maker = callback.maker
     ros = project.code.ros_of(maker.source)
     when = f", and {late.waits}() lies between" if late.waits else ""
     how = "rospy runs it as soon as a message comes" if ros == 1 else f"it runs in {late.waits}()"
+    names = listed([f"{other.callback.routine.title}()" for other in others])
+    more = f"; and the same of {names}" if others else ""
+    places = [place for one in group for place in _set_at(project, one)]
+    registered = [(other.callback.location, f"{other.callback.routine.title}() is registered here") for other in others]
     return Finding(
         at=callback.location,
         message=f"{callback.routine.title}() is registered before {listed([f'self.{name}' for name in late.names])}, which it reads, "
         f"{'is' if len(late.names) == 1 else 'are'} set{when if ros == 1 else ''}: {how}, and raises AttributeError; register it at the end of "
-        "__init__()",
+        f"__init__(){more}",
         about=(maker.title, callback.routine.title, *late.names),
-        related=tuple(places),
+        related=(*registered, *dict.fromkeys(places)),
         level=None if late.waits else Level.NOTE,
         apart=(callback.routine.title,),
     )
+
+
+def _set_at(project: Project, late: _Late) -> Iterator[tuple[Location, str]]:
+    """Where the attributes are set, below the registration."""
+    maker, line = late.callback.maker, late.callback.call.line
+    text = project.text(maker.path).split("\n")
+    for name in late.names:
+        pattern = re.compile(rf"\bself\.{re.escape(name)}\b[^=\n]*=(?!=)")
+        found = next((n for n in range(line, len(text)) if pattern.search(text[n])), None)
+        if found is not None:
+            yield Location(maker.path, found + 1), f"self.{name} is set here"
 
 
 CHECK = Check(

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from haros_ci.api import Check, Finding, Level, System
@@ -11,6 +12,9 @@ from haros_ci.api.launch import Comparison, ConditionUse, included_by
 _TRUTHS = {"true": True, "false": False}
 #: What authors write to switch a part of a launch file on or off by hand.
 _SWITCHES = frozenset((*_TRUTHS, "1", "0"))
+_CONDITION = re.compile(
+    r"(?:\w+\.)*(?:If|Unless)Condition\(\s*(?:predicate_expression\s*=\s*)?(.{0,40}?)\s*,?\s*\)", re.DOTALL
+)
 
 
 def check(system: System) -> Iterator[Finding]:
@@ -23,7 +27,7 @@ def check(system: System) -> Iterator[Finding]:
                 apart=(use.text,),
                 flow=included_by(use),
                 presence=use.presence,
-                level=Level.NOTE if use.text.strip(" '\"").lower() in _SWITCHES else None,
+                level=Level.NOTE if _is_switch(use.text) else None,
             )
         for comparison in use.comparisons:
             misspelling = _misspelt(comparison, use.ros)
@@ -36,6 +40,12 @@ def check(system: System) -> Iterator[Finding]:
                     flow=included_by(use),
                     presence=use.presence,
                 )
+
+
+def _is_switch(text: str) -> bool:
+    """Whether a condition is a truth alone, in Python the only argument of IfCondition or UnlessCondition."""
+    inside = _CONDITION.fullmatch(text.strip())
+    return (inside[1] if inside is not None else text).strip(" []'\"").lower() in _SWITCHES
 
 
 def _misspelt(comparison: Comparison, ros: int) -> str:

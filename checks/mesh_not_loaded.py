@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable, Iterator
 
 from haros_ci.api import Check, Finding, Level, Project, listed
@@ -11,6 +12,8 @@ from haros_ci.api.robots import Description, Mesh, descriptions, is_left_over, l
 
 #: Places of other meshes in the same directory.
 _SHOWN = 40
+#: So many meshes of one file that one directory lacks have one cause.
+MANY = 4
 _SUFFIXES = (".stl", ".dae", ".obj", ".glb", ".gltf", ".ply", ".fbx", ".3ds", ".mesh")
 
 
@@ -89,9 +92,12 @@ def _not_substituted(filename: str, more: int) -> str:
 def _by_directory(meshes: Iterable[list[Mesh]], project: Project, is_plain: bool) -> list[list[Mesh]]:
     """*meshes* of one description; those of one file in one directory that does not exist at all or has no mesh of their format, which is one slip, together.
 
-    So are those of one file whose names nothing substitutes, where it *is_plain* URDF.
+    So are those of one file whose names nothing substitutes, where it *is_plain* URDF, and many that one directory lacks: they have other names there.
     """
     found: dict[tuple[str, str], list[Mesh]] = {}
+    meshes = list(meshes)
+    places = {(_home(mesh[0]), mesh[0].location) for mesh in meshes if mesh[0].is_missing}
+    lacking = Counter(home for home, _ in places)
     for number, mesh in enumerate(meshes):
         if is_plain and _is_literal(mesh[0], project):
             found.setdefault((mesh[0].location.path, "$(find "), []).extend(mesh)
@@ -100,9 +106,15 @@ def _by_directory(meshes: Iterable[list[Mesh]], project: Project, is_plain: bool
         folder, place = name.rpartition("/")[0], _folder(mesh[0], project)
         wrong = place is not None and mesh[0].is_missing and not _has_kind(project, place, name)
         moved = _moved_to(mesh[0])
-        key = folder if wrong else f"{folder}\0{moved}" if moved else f"\0{number}"
+        is_one_of_many = mesh[0].is_missing and place is not None and lacking[_home(mesh[0])] >= MANY
+        key = folder if wrong else f"{folder}\0{moved}" if moved else f"{folder}\0" if is_one_of_many else f"\0{number}"
         found.setdefault((mesh[0].location.path, key), []).extend(mesh)
     return list(found.values())
+
+
+def _home(mesh: Mesh) -> tuple[str, str]:
+    """The file that names *mesh*, and the directory in which it is looked for."""
+    return mesh.location.path, (mesh.filename or "").rpartition("/")[0]
 
 
 def _moved_to(mesh: Mesh) -> str:
@@ -136,6 +148,8 @@ def _lacks(mesh: Mesh, project: Project, more: int) -> str:
     if (moved := _moved_to(mesh)) and folder is not None and _has_kind(project, folder, mesh.filename or ""):
         return f" and lie{'s' if more == 1 else ''} in {moved}"
     is_there = folder is not None and project.exists(folder)
+    if is_there and folder is not None and _has_kind(project, folder, mesh.filename or ""):
+        return f", which lacks {'it' if more == 1 else 'them'}, too"
     return f", which has no file *.{(mesh.filename or '').rpartition('.')[2]}" if is_there else ", which does not exist"
 
 

@@ -30,12 +30,18 @@ def check(project: Project) -> Iterator[Finding]:
         for name in sorted(found - {_MANIFEST, _CMAKE}):
             path = name if folder == "." else f"{folder}/{name}"
             right = is_meant(name)
-            if right in found:
+            if right in found or _is_put_aside(name, right, found):
                 continue
             if right == _CMAKE and folder in roots and _is_built(project, folder) and _has(project, path, _IN_CMAKE, 1):
                 yield _finding(path, right, "the build of the package fails, for CMake finds no CMakeLists.txt")
             elif right == _MANIFEST and not _is_inside(folder, roots) and _has(project, path, _IN_MANIFEST, 3):
                 yield _finding(path, right, "colcon and catkin see no package here")
+
+
+def _is_put_aside(name: str, right: str, found: set[str]) -> bool:
+    """Whether the manifest and the CMakeLists.txt of a directory have the same sign behind their names: a script, or a person, renames both back."""
+    sign = name.removeprefix(right)
+    return sign != name and {_MANIFEST + sign, _CMAKE + sign} <= found
 
 
 def is_meant(name: str) -> str:

@@ -34,6 +34,7 @@ def check(system: System) -> Iterator[Finding]:
                 is_spare
                 or is_mentioned(system, parameter.node, section or parameter.key)
                 or is_read_besides(system, parameter)
+                or _is_shared(system, parameter)
             ):
                 name = "" if section else _meant(parameter) or (parameter.key if "." not in parameter.key else "")
                 groups.setdefault(
@@ -62,6 +63,25 @@ def _is_spare(node: SystemNode, section: str) -> bool:
     above, _, last = section.rpartition(".")
     found = {text for text in node.names.texts if (f"{above}.{text}" if above else text) in node.names.sections}
     return bool(found) and not any(is_slip(last, text) for text in found)
+
+
+def _is_shared(system: System, parameter: Given) -> bool:
+    """Whether one file is given to several nodes as a whole, and another one declares the key, which it is given a second time elsewhere.
+
+    All that this node is given by the file the other one is given by it, too, but for what the tag of that one sets itself.
+    """
+    path, node = parameter.at.path, parameter.node
+    if parameter.raw.origin is None:
+        return False
+    places = {given.place for given in node.given if given.at.path == path}
+    for other in system.nodes:
+        if other is node or parameter.key not in other.names.declared:
+            continue
+        theirs = {given.place for given in other.given if given.at.path == path}
+        elsewhere = {given.key for given in other.given if given.at.path != path}
+        if theirs and all(place in theirs or place[1] in elsewhere for place in places):
+            return True
+    return False
 
 
 def _meant(parameter_given: Given) -> str:

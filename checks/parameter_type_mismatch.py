@@ -68,13 +68,13 @@ def _keeping(parameter: Given) -> str:
     """How a value that stands in a launch file itself stays a text: launch reads texts as YAML (launch_ros, ``evaluate_parameters``)."""
     if parameter.raw.origin is not None:
         return ""
+    # launch_ros writes y and n without quotes, as PyYAML takes them for texts, and rcl reads them as YAML 1.1 does
+    but = " (but for y and n, which become truths even so: write another word)" if parameter.type == "bool" else ""
     if parameter.tag.path.endswith(".py"):
-        return "launch reads a text here as YAML, ParameterValue(…, value_type=str) keeps it a text"
-    return (
-        'launch reads a value here as YAML, type="str" keeps it a text'
-        if parameter.tag.path.endswith((".xml", ".launch"))
-        else ""
-    )
+        return f"launch reads a text here as YAML, ParameterValue(…, value_type=str) keeps it a text{but}"
+    if parameter.tag.path.endswith((".xml", ".launch")):
+        return f'launch reads a value here as YAML, type="str" keeps it a text{but}'
+    return ""
 
 
 def _shown(parameter: Given) -> str:

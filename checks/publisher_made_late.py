@@ -3,20 +3,27 @@
 
 from __future__ import annotations
 
+import builtins
 import re
 from collections.abc import Iterator
 
 from haros_ci.api import Check, Finding, Level, Project, syntax
-from haros_ci.api.code import Call, Codebase, Routine, call_place, dotted, is_node, late, type_name
+from haros_ci.api.code import Call, Codebase, Routine, call_place, callees, dotted, is_node, late, reached, type_name
 
 #: What gives subscribers time to connect, or asks whether they have.
 WAITS = re.compile(r"sleep|wait|spin|[gG]etNumSubscribers|get_num_connections|get_subscription_count|on_activate|latch")
+#: Calls of MoveIt's commanders that return when the robot has moved.
+MOVES = frozenset(("go", "execute", "pick", "place"))
+#: How far functions are followed that are called before the first message.
+DEPTH = 3
 
 
 def check(project: Project) -> Iterator[Finding]:
     code = project.code
     for routine, made, published in late(code):
         if not _is_publisher(code, routine, made) or _may_reach(code, routine, made):
+            continue
+        if _takes_time(code, routine, made, published):
             continue
         yield Finding(
             at=call_place(routine, made),
@@ -51,6 +58,29 @@ def _may_reach(code: Codebase, routine: Routine, made: Call) -> bool:
     if made.name == "advertise":
         return len(plain) > 2 or not made.templates
     return len(plain) < 2 or not isinstance(plain[1], syntax.Number)
+
+
+def _takes_time(code: Codebase, routine: Routine, made: Call, published: Call) -> bool:
+    """Whether something between the two waits: a movement, or a function that is called there, or one that it calls; or whether nothing is known of one."""
+    between = [call for call in code.body(routine).calls if made.line < call.line < published.line]
+    if any(call.name in MOVES for call in between):
+        return True
+    wholes = {id(call.whole) for call in between}
+    called = [(call, target) for call, target in callees(code, routine) if id(call.whole) in wholes]
+    found = {id(call.whole) for call, _ in called}
+    if routine.is_python and any(_is_of_elsewhere(call) for call in between if id(call.whole) not in found):
+        return True
+    return any(
+        call.name in MOVES or WAITS.search(call.name)
+        for _, target in called
+        for below, _ in reached(code, target, DEPTH)
+        for call in code.body(below).calls
+    )
+
+
+def _is_of_elsewhere(call: Call) -> bool:
+    """Whether a function of Python is called by its plain name that is no builtin one: another module has it."""
+    return call.receiver is None and call.name[:1].islower() and not hasattr(builtins, call.name)
 
 
 CHECK = Check(

@@ -3,9 +3,7 @@
 
 from __future__ import annotations
 
-import ast
 import re
-import warnings
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
@@ -14,16 +12,19 @@ from haros_ci.api.launch import ProgramUse
 from haros_ci.api.packages import (
     Installed,
     Programs,
+    changes_modes,
+    gives_modes,
     is_for_noetic,
     is_given_to_another,
     is_imported_beside,
     is_made_program_later,
+    is_python_3,
     is_sourced,
     is_to_be_run,
+    rospy_programs,
 )
 
 _PYTHON = re.compile(r"#![ \t]*(?:/usr(?:/local)?/bin/env[ \t]+|/usr/bin/)(python)(2[\d.]*)?[ \t]*\r?\Z")
-_MODES = ("USE_SOURCE_PERMISSIONS", "PERMISSIONS", "FILE_PERMISSIONS")
 _SHELL = (".sh", ".bash")
 #: Why the bit counts, of one script and of several.
 _DEVEL = (
@@ -70,6 +71,10 @@ def _of(
     package: ProjectPackage, launched: dict[str, Location], level: Level, programs: Programs
 ) -> Iterator[Finding | _Bit]:
     seen: set[str] = set()
+    former = rospy_programs(package)
+    if former:
+        yield _of_ros1(package, former)
+        seen.update(former)
     for script in package.build.installed:
         if not _is_for_programs(script, package):
             continue
@@ -82,6 +87,20 @@ def _of(
             yield from _mode(script, package, level, programs)
     yield from _started(package, launched, seen)
     yield from _configured(package)
+
+
+def _of_ros1(package: ProjectPackage, paths: list[str]) -> Finding:
+    """One finding for all such programs of a package."""
+    one = len(paths) == 1
+    it, them = ("it does", "it") if one else ("they do", "them")
+    verb = "is installed as a program and imports" if one else "are installed as programs and import"
+    return Finding(
+        at=Location(paths[0], 1),
+        message=f"{listed(paths)} {verb} rospy, which ROS 2 does not have: {it} not start; port {them} to rclpy, or do not install {them}",
+        about=(package.name, *paths),
+        level=Level.WARNING,
+        related=tuple((Location(path, 1), "imports rospy, too") for path in paths[1:]),
+    )
 
 
 def _joined(package: ProjectPackage, found: Iterable[Finding | _Bit]) -> Iterator[Finding]:
@@ -150,7 +169,7 @@ def _first_line(path: str, package: ProjectPackage, *, is_relayed: bool = False)
         )
     elif package.ros == 2 and (found := _PYTHON.match(first.rstrip("\n"))) is not None:
         fix = Fix("ask for python3", (Edit(path, (1, found.start(1) + 1), (1, found.end(1) + 1), "python3"),))
-        is_sure = found[2] is None and _is_python_3(text)
+        is_sure = found[2] is None and is_python_3(text)
         yield Finding(
             at=at,
             message=(
@@ -193,7 +212,7 @@ def _mode(script: Installed, package: ProjectPackage, level: Level, programs: Pr
     if script.kind == "file":
         if _is_read_alone(script, package, programs) or is_made_program_later(package, script.path, script):
             return
-        if not script.keeps_mode and is_to_be_run(script.path, package.project) and not _gives_modes(script, package):
+        if not script.keeps_mode and is_to_be_run(script.path, package.project) and not gives_modes(script, package):
             yield Finding(
                 at=script.location,
                 message=(
@@ -236,7 +255,7 @@ def _without_bit(package: ProjectPackage, paths: list[str], why: tuple[str, ...]
 
 def _unpacked(script: Installed, package: ProjectPackage) -> Iterator[Finding]:
     """install(DIRECTORY) gives its files no execute bit, unless its arguments ask for it."""
-    if _gives_modes(script, package) or script.keeps_mode or _changes_modes(package):
+    if gives_modes(script, package) or script.keeps_mode or changes_modes(package):
         return
     inside = [file.path for file in package.files if file.path.startswith(f"{script.path}/")]
     programs = [path for path in inside if package.project.text(path).startswith("#!")]
@@ -297,27 +316,6 @@ def _is_read_alone(script: Installed, package: ProjectPackage, programs: Program
 def _is_started(script: Installed, package: ProjectPackage, programs: Programs) -> bool:
     """Whether a launch file or a page starts the script by its name."""
     return (package.name, script.name) in programs.started or programs.documented(package.name, script.name) is not None
-
-
-def _is_python_3(text: str) -> bool:
-    try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")
-            ast.parse(text)
-    except (SyntaxError, ValueError, RecursionError, MemoryError):
-        return False
-    return True
-
-
-def _gives_modes(script: Installed, package: ProjectPackage) -> bool:
-    """Whether the command says which modes the files get, or is not one that is known."""
-    commands = [command for command in package.commands("install") if command.location == script.location]
-    return not commands or any(word in command.arguments for command in commands for word in _MODES)
-
-
-def _changes_modes(package: ProjectPackage) -> bool:
-    """Whether a command of the build sets modes by itself, of which files is not followed: ``execute_process(COMMAND chmod …)``."""
-    return any("chmod" in word.lower() for command in package.build.commands for word in command.arguments)
 
 
 def _is_relayed(script: Installed, package: ProjectPackage) -> bool:

@@ -53,9 +53,9 @@ def _of(package: ProjectPackage, programs: Programs) -> Iterator[Finding]:
         yield _nothing(package, libraries, left)
         return
     yield from libraries
-    groups: dict[tuple[str, Level], list[Uninstalled]] = {}
+    groups: dict[Level, list[Uninstalled]] = {}
     for other_uninstalled in left:
-        groups.setdefault((other_uninstalled.kind, other_uninstalled.level), []).append(other_uninstalled)
+        groups.setdefault(other_uninstalled.level, []).append(other_uninstalled)
     for group in groups.values():
         yield _left_out(package, group)
 
@@ -85,19 +85,18 @@ def _nothing(package: ProjectPackage, libraries: list[Finding], left: list[Unins
         about=(package.name,),
         related=_related(((at, f"{name} is not installed") for at, name, _, _ in places[1:]), (r for *_, r in places)),
         level=min((level for _, _, level, _ in places), key=_ORDER.index) if package.ros == 2 else Level.NOTE,
-        fixes=_fixes(package, left)
-        if left and not libraries and len({other_uninstalled.kind for other_uninstalled in left}) == 1
-        else (),
+        fixes=_fixes(package, left) if left and not libraries else (),
     )
 
 
 def _left_out(package: ProjectPackage, group: list[Uninstalled]) -> Finding:
-    """One finding for all programs of a kind for which the same is at stake: one install() mends them."""
+    """One finding for all programs for which the same is at stake: who adds one to the installation adds them all."""
     group = sorted(group, key=lambda one: is_copy_by_name(one.at.path))  # what is meant first
-    first, kind = group[0], group[0].kind
+    first, kinds = group[0], sorted({other_uninstalled.kind for other_uninstalled in group})
+    kind = kinds[0] if len(kinds) == 1 else "program"
     runner = "ros2 run and launch do" if package.ros == 2 else "in an install space rosrun and roslaunch do"
     names = [other_uninstalled.shown for other_uninstalled in group]
-    command = f"install({'PROGRAMS' if kind == 'script' else 'TARGETS'} ...)"
+    command = " and ".join(f"install({'PROGRAMS' if kind == 'script' else 'TARGETS'} ...)" for kind in kinds)
     if len(group) == 1:
         message = f"the {kind} {first.shown} is not installed: {runner} not find it; add it to {command}"
     else:
@@ -126,18 +125,15 @@ def _related(
 
 
 def _fixes(package: ProjectPackage, group: list[Uninstalled]) -> tuple[Fix, ...]:
-    names = " ".join(other_uninstalled.name for other_uninstalled in group)
-    if group[0].kind == "script":
-        if package.ros == 1:
-            line = f"catkin_install_python(PROGRAMS {names} DESTINATION ${{CATKIN_PACKAGE_BIN_DESTINATION}})"
-        else:
-            line = f"install(PROGRAMS {names} DESTINATION lib/${{PROJECT_NAME}})"
-    else:
-        if any(other_uninstalled.at.path != package.cmake_path for other_uninstalled in group):
-            return ()
-        place = "lib/${PROJECT_NAME}" if package.ros == 2 else "${CATKIN_PACKAGE_BIN_DESTINATION}"
-        line = f"install(TARGETS {names} DESTINATION {place})"
-    fix = install_line(package, line, f"install {spelled_out([other_uninstalled.name for other_uninstalled in group])}")
+    targets = " ".join(one.name for one in group if one.kind != "script")
+    scripts = " ".join(one.name for one in group if one.kind == "script")
+    if targets and any(one.at.path != package.cmake_path for one in group if one.kind != "script"):
+        return ()
+    place = "lib/${PROJECT_NAME}" if package.ros == 2 else "${CATKIN_PACKAGE_BIN_DESTINATION}"
+    python = "install" if package.ros == 2 else "catkin_install_python"
+    lines = [f"install(TARGETS {targets} DESTINATION {place})"] if targets else []
+    lines += [f"{python}(PROGRAMS {scripts} DESTINATION {place})"] if scripts else []
+    fix = install_line(package, "\n".join(lines), f"install {spelled_out([one.name for one in group])}")
     return (fix,) if fix is not None else ()
 
 

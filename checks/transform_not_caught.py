@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from haros_ci.api import Check, Finding, Level, Project
-from haros_ci.api.code import ASKED, call_place, in_callbacks, is_caught, is_lookup
+from haros_ci.api.code import ASKED, Call, Codebase, Routine, call_place, callees, in_callbacks, is_caught, is_lookup
 
 FILTERS = ("tf2_ros::MessageFilter", "tf::MessageFilter", "tf2_ros/message_filter")
 
@@ -32,8 +32,12 @@ def check(project: Project) -> Iterator[Finding]:
         on_the_way = (call.name for routine, _ in reached.path for call in code.body(routine).calls)
         if ASKED.intersection(call.name for call in calls) or ASKED.intersection(on_the_way):
             continue
+        if any(_asks_before(code, routine, call) for routine, call in reached.path):
+            continue
         for call in calls:
             if id(call) in seen or is_caught(call.around) or not is_lookup(code, reached.routine, call):
+                continue
+            if _asks_before(code, reached.routine, call):
                 continue
             seen.add(id(call))
             title = made.routine.title
@@ -51,6 +55,13 @@ def check(project: Project) -> Iterator[Finding]:
                 about=(title, reached.routine.title, call.name),
                 flow=reached.flow(call, "looks up a transform here"),
             )
+
+
+def _asks_before(code: Codebase, routine: Routine, way: Call) -> bool:
+    """Whether *routine*, before it goes on by the call *way*, calls a function that asks for transforms: it waits there until one is available."""
+    before = {id(call.whole) for call in code.body(routine).calls if call.line < way.line}
+    called = (target for call, target in callees(code, routine) if id(call.whole) in before)
+    return any(ASKED.intersection(call.name for call in code.body(target).calls) for target in called)
 
 
 CHECK = Check(

@@ -18,7 +18,9 @@ _NODES = re.compile(r"launch_ros\.actions\.(?:node\.|lifecycle_node\.)?(?:Lifecy
 def check(project: Project) -> Iterator[Finding]:
     """Node(package=..., executable=...) in Python modules that launch files import, with both names written out."""
     code = project.code
-    seen = {use.location.path for system in project.systems for use in system.facts(ProgramUse)}
+    uses = [use for system in project.systems for use in system.facts(ProgramUse)]
+    seen = {use.location.path for use in uses}
+    reported = {(use.package, use.program) for use in uses if use.is_found is False}  # by unknown-executable
     for routine, call in calls_of(code, "Node", "LifecycleNode"):
         if not routine.is_python or routine.path in seen or routine.is_test:
             continue
@@ -37,6 +39,7 @@ def check(project: Project) -> Iterator[Finding]:
             message=f"package {package} builds or installs no program {program!r}: this node cannot start{meant(similar)}",
             about=(f"{package}/{program}",),
             apart=(routine.path, program),
+            level=Level.NOTE if (package.name, program) in reported else None,
         )
 
 

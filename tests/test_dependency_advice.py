@@ -352,3 +352,20 @@ def test_a_condition_that_never_holds(condition: str, count: int, tmp_path: Path
     found = messages(manifest, cmake, "#include <geometry_msgs/msg/twist.hpp>\n", tmp_path)
     assert len([one for one in found if "geometry_msgs" in one]) == count, found
     assert all(f"condition that never holds here: {condition})" in one or "$" not in condition for one in found)
+
+
+@pytest.mark.parametrize("declared", ["python-numpy", "python3-numpy", "rospy"])
+def test_no_key_of_a_part(declared: str, tmp_path: Path) -> None:
+    """PyQt5 is no part of it for QtQuick, even where the one key of that has the Python of the others."""
+    needs = f"<buildtool_depend>catkin</buildtool_depend><exec_depend>{declared}</exec_depend>"
+    files = {
+        "package.xml": MANIFEST.format(' format="2"', needs),
+        "CMakeLists.txt": (
+            "cmake_minimum_required(VERSION 3.0.2)\nproject(demo)\nfind_package(catkin REQUIRED)\ncatkin_package()\n"
+            "catkin_install_python(PROGRAMS window.py DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})\n"
+        ),
+        "window.py": "#!/usr/bin/env python\nfrom PyQt5.QtWidgets import QApplication\nQApplication([])\n",
+    }
+    check = next(check for check in checks() if check.id == "undeclared-import")
+    (result,) = said(check, Example("", True, files), tmp_path)
+    assert "quick" not in result.message and "qt" in result.message.lower()

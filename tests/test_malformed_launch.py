@@ -93,6 +93,19 @@ def test_what_ros2_launch_refuses(name: str, text: str, line: int, tmp_path: Pat
 
 
 @pytest.mark.parametrize(
+    "text",
+    [
+        "a = [f'/model/{'blimp'}/servo_{i}' for i in range(5)]\n",
+        'a = f"{"-".join(["a"])}"\n',
+        "def first[T](values: list[T]) -> T:\n    return values[0]\n",
+    ],
+)
+def test_what_a_newer_python_reads(text: str, tmp_path: Path) -> None:
+    """Python 3.12 (Jazzy) takes quotes in f-strings, and parameters of types; an older one that runs haros-ci does not."""
+    assert found(tmp_path, "a.launch.py", text) == []
+
+
+@pytest.mark.parametrize(
     ("tag", "code", "expected"),
     [
         ("<nod/>", "", [Level.ERROR]),

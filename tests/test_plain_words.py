@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Words of a private vocabulary that must not come back: as names, or in docstrings and comments (CONTRIBUTING.md, Style)."""
+"""Words of a private vocabulary that must not come back: as names, in docstrings and comments, or on pages (CONTRIBUTING.md, Style)."""
 
 from __future__ import annotations
 
@@ -25,6 +25,10 @@ NAMES = ("each", "told", "wanted", "havoc", "crossings", "said", "hearsay")
 PROSE = re.compile(
     r"(?<!\*)\b(?:told|wanted|havoc|crossings|hearsay)\b|\bor is none\b|\b(?:None|UserError|ValueError) if it is none[.;,]"
 )
+#: Not on the pages of rules and of the user guide. What somebody is told to do is plain.
+ON_PAGES = re.compile(r"\btold\b(?! to\b)|\bgiven up\b", re.IGNORECASE)
+#: Pages of evidence, which quote what was reported at its time, and decisions.
+EVIDENCE = ("judgement", "handcheck", "history", "measurements", "corpus", "rounds/", "decisions/")
 #: Places of NAMES where they mean something, each with the reason.
 ALLOWED = {
     ("haros_ci/api/testing.py", "said"): "a name of haros_ci.api.testing that plug-ins use",
@@ -90,6 +94,19 @@ def test_names_are_plain() -> None:
 
 def test_prose_is_plain() -> None:
     assert [f"{path}:{line}: {word}" for path, text in _sources() for line, word in prose_in(text)] == []
+
+
+def test_pages_are_plain() -> None:
+    pages = [*(ROOT / "checks").glob("*.md"), *ROOT.glob("*.md"), *(ROOT / "docs").rglob("*.md")]
+    found = [
+        f"{page.relative_to(ROOT)}:{number}: {line.strip()}"
+        for page in sorted(pages)
+        if page.name != "CHANGELOG.md"
+        and not page.relative_to(ROOT).as_posix().startswith(tuple(f"docs/{name}" for name in EVIDENCE))
+        for number, line in enumerate(page.read_text("utf-8").splitlines(), start=1)
+        if ON_PAGES.search(line)
+    ]
+    assert found == []
 
 
 def test_rooms_are_there() -> None:

@@ -7,6 +7,7 @@ import re
 from collections.abc import Callable, Iterator
 
 from haros_ci.launch.ros1 import dialect
+from haros_ci.linters.python2 import is_newer
 from haros_ci.model.launch import LaunchElement, LaunchFile
 from haros_ci.model.workspace import Problem, Workspace
 
@@ -166,8 +167,9 @@ def _of_ros1(path: str, element: LaunchElement) -> Iterator[Problem]:
 def _of_python(workspace: Workspace, path: str) -> Iterator[Problem]:
     from haros_ci.extract.python.read import syntax_error
 
-    error = syntax_error(workspace.text(path))
-    if error is not None:
+    text = workspace.text(path)
+    error = syntax_error(text)
+    if error is not None and not is_newer((text.split("\n")[error[0] - 1 : error[0]] or [""])[0], error[1]):
         yield Problem(
             path, f"Python syntax error: {error[1]}; ros2 launch cannot load the file; correct the syntax", error[0]
         )

@@ -9,9 +9,10 @@ only what is new is shown then: a change to a copy, or one that makes a package 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
-from dataclasses import replace
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
 
+from haros_ci.analysis.imported_copies import imported
 from haros_ci.config.settings import Settings
 from haros_ci.knowledge.knowledge import knowledge
 from haros_ci.model.package import Package
@@ -33,7 +34,7 @@ _MAKERS = tuple(
     for name, people in (
         (r"rplidar_ros2?|sllidar_ros2", r"@slamtec\.com"),
         (r"livox_(?:ros2?_driver2?|interfaces\d?)", r"@livoxtech\.com"),
-        (r"lslidar_(?:driver|msgs)", r"@lslidar\.com|tongsky723@sina\.com|yutongyan@lidar\.com"),
+        (r"lslidar_\w+", r"@lslidar\.com|tongsky723@sina\.com|yutongyan@lidar\.com"),
         (r"rslidar(?:_sdk|_msgs?|_driver|_pointcloud)?", r"@robosense\.cn"),
         (r"ydlidar_ros2?_driver", r"@ydlidar\.com"),
         (r"nvilidar_ros2?", r"@nvistar\.com"),
@@ -78,11 +79,11 @@ def quiet(workspace: Workspace, settings: Settings) -> Workspace:
     is_compared = settings.baseline or settings.baseline_rev or settings.base_missing
     if is_compared or settings.with_copies or workspace.targets is not None:
         return workspace
-    directories = copies(workspace)
+    directories, changed = _copies(workspace)
     if not directories:
         return workspace
     files = (
-        file if file.third_party else replace(file, third_party=around(file.path, directories))
+        file if file.third_party or file.path in changed else replace(file, third_party=around(file.path, directories))
         for file in workspace.files
     )
     return replace(workspace, files=tuple(files))
@@ -92,38 +93,59 @@ def copies(workspace: Workspace) -> frozenset[str]:
     """The outermost directories in which all packages are copies of public ones.
 
     A package is one if a distribution has its name, or that of the page or repository that it names, or it is a driver that its maker publishes, or it lies in an archive that was
-    downloaded, or it was never released and stands beside one that is in all else its like; and if it names people, none of whom any other package names; outside of archives its name may not begin as one of those either. With nothing of its own a workspace is the original.
+    downloaded, or it was put in whole and hardly changed (imported_copies), or it was never released and stands beside one that is in all else its like; and if it names people, none of whom any other package names; outside of archives its name may not begin as one of those either. With nothing of its own a workspace is the original.
     """
-    candidates = [package for package in workspace.packages if _may_be_public(package, workspace)]
-    candidates += [package for package in workspace.packages if _is_of_a_stack(package, candidates, workspace)]
+    return _copies(workspace)[0]
+
+
+def _copies(workspace: Workspace) -> tuple[frozenset[str], frozenset[str]]:
+    """These directories, and the files below them that the team has changed in packages that are no public ones."""
+    people = {package.path: _people(package, workspace) for package in workspace.packages}
+    put_in = imported(workspace, people, lambda package: _manifest(package, workspace))
+    public = _public(workspace)
+    candidates = [*public, *(one for one in workspace.packages if one.path in put_in and one not in public)]
     own = [package for package in workspace.packages if package not in candidates]
     if not own:
-        return frozenset()
+        return frozenset(), frozenset()
     words = {_first_word(package.name) for package in own} - _COMMON
-    foreign = _by_others(candidates, own, words, workspace)
+    foreign = _by_others(candidates, own, _Own(people, frozenset(words), frozenset(put_in)))
     found = {package.path for package in foreign}
-    return _outermost(found, [package.path for package in workspace.packages if package.path not in found])
+    changed = frozenset[str]().union(*(put_in.get(package.path, ()) for package in foreign if package not in public))
+    return _outermost(found, [package.path for package in workspace.packages if package.path not in found]), changed
 
 
-def _by_others(
-    candidates: Sequence[Package], own: Sequence[Package], words: set[str], workspace: Workspace
-) -> list[Package]:
+def _public(workspace: Workspace) -> list[Package]:
+    """The packages that would be copies of public ones if they are by others than the team."""
+    public = [package for package in workspace.packages if _may_be_public(package, workspace)]
+    return [*public, *(package for package in workspace.packages if _is_of_a_stack(package, public, workspace))]
+
+
+@dataclass(frozen=True, slots=True)
+class _Own:
+    """What tells copies from the team's packages: the *people* of each package by its path, first *words* of the names of the team's, and the paths of those that were *put_in* whole."""
+
+    people: Mapping[str, frozenset[str]]
+    words: frozenset[str]
+    put_in: frozenset[str]
+
+    def is_foreign(self, package: Package, team: frozenset[str]) -> bool:
+        """Whether *package* is by others than the *team*, and its name begins as none of theirs, unless it lies in an archive or was put in whole."""
+        by = self.people[package.path]
+        is_sure = _is_archived(package.path) or package.path in self.put_in
+        return bool(by) and team.isdisjoint(by) and (is_sure or _first_word(package.name) not in self.words)
+
+
+def _by_others(candidates: Sequence[Package], own: Sequence[Package], known: _Own) -> list[Package]:
     """Those of *candidates* that are by others than all packages beside: whoever has a part in one that is no copy is one of the team."""
-    people = frozenset[str]().union(*(_people(package, workspace) for package in own))
+    people = frozenset[str]().union(*(known.people[package.path] for package in own))
     for _ in range(_MOST_ROUNDS):
-        foreign = [package for package in candidates if _is_foreign(package, people, words, workspace)]
+        foreign = [package for package in candidates if known.is_foreign(package, people)]
         if len(foreign) in (0, len(candidates)):
             return foreign
         paths = {package.path for package in foreign}
-        people = people.union(*(_people(package, workspace) for package in candidates if package.path not in paths))
+        people = people.union(*(known.people[package.path] for package in candidates if package.path not in paths))
         candidates = foreign
     return []
-
-
-def _is_foreign(package: Package, people: frozenset[str], words: set[str], workspace: Workspace) -> bool:
-    """Whether *package* is by others than *people*, and its name begins as none of *words*, unless it lies in an archive."""
-    by = _people(package, workspace)
-    return bool(by) and people.isdisjoint(by) and (_is_archived(package.path) or _first_word(package.name) not in words)
 
 
 def _may_be_public(package: Package, workspace: Workspace) -> bool:

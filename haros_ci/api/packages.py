@@ -103,6 +103,7 @@ from haros_ci.checking.provision import (
     others_of,
 )
 from haros_ci.checking.requirements import distributions_of, left_to_pip, normal, pinned
+from haros_ci.checking.scripts import changes_modes, gives_modes, is_python_3, rospy_programs
 from haros_ci.checking.set_aside import is_copy_by_name
 from haros_ci.checking.test_support import is_for_tests, only_for_tests
 from haros_ci.checking.unbuilt import SUFFIXES, loose
@@ -204,6 +205,7 @@ __all__ = [
     "brings",
     "brought_by",
     "build_types",
+    "changes_modes",
     "circles",
     "class_names",
     "closes_a_cycle",
@@ -221,6 +223,7 @@ __all__ = [
     "exports",
     "file_name",
     "first_provider",
+    "gives_modes",
     "holds",
     "holds_for_python",
     "imported",
@@ -249,6 +252,7 @@ __all__ = [
     "is_of_ros",
     "is_of_tests",
     "is_program",
+    "is_python_3",
     "is_said_not_installed",
     "is_sourced",
     "is_to_be_had",
@@ -295,6 +299,7 @@ __all__ = [
     "rename_element",
     "renamed_module",
     "repositories_named",
+    "rospy_programs",
     "said_misplaced",
     "said_never",
     "serves_both",

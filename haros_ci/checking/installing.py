@@ -137,6 +137,7 @@ def install_line(package: ProjectPackage, line: str, description: str) -> Fix | 
     if not text:
         return None
     end = "\r\n" if "\r\n" in text else "\n"
+    line = line.replace("\n", end)
     calls = list(_PACKAGE_CALL.finditer(text))
     if len(calls) > 1:
         return None

@@ -194,6 +194,7 @@ def first_provider(names: frozenset[str], package: ProjectPackage) -> str:
             _is_idle_module(n, package),
             not is_of_ros(n, project),
             _has_its_own(n, names),
+            _is_part(n, names),
             bool(families) and _family(n) not in {"", *families},
             n.endswith(_MODULE),
             n.endswith("-pip"),
@@ -203,6 +204,16 @@ def first_provider(names: frozenset[str], package: ProjectPackage) -> str:
             n,
         ),
     )
+
+
+def _is_part(name: str, names: frozenset[str]) -> bool:
+    """Whether *name* is the key of a part of what another of *names* is the key of, of whichever Python: python-qt5-bindings-quick, python3-pyqt5.qtwebengine."""
+    bare = _bare(name)
+    return not name.endswith("-pip") and any(bare.startswith((f"{_bare(n)}-", f"{_bare(n)}.")) for n in names)
+
+
+def _bare(key: str) -> str:
+    return key.removeprefix(f"{_family(key)}-") if _family(key) else key
 
 
 def _has_its_own(name: str, names: frozenset[str]) -> bool:

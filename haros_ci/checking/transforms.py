@@ -8,6 +8,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 from haros_ci.checking.broadcasts import resolved, sent
+from haros_ci.checking.poses import Pose, are_same, of_options, of_origin, of_words
 from haros_ci.checking.project import Project
 from haros_ci.checking.system import System, SystemNode
 from haros_ci.model.launch_facts import CommandUse
@@ -24,7 +25,7 @@ _FIXED = ("fixed", "planar")
 class Broadcast:
     """*node* says where *child* is in *parent* (None if not known), at *at* in words *what*, on the tf topic *topic*.
 
-    *values* are the same for two static ones that say the same.
+    *values* are the same for two static ones that say the same, in one form; *pose* is that in numbers, if it is known.
     """
 
     child: str
@@ -35,6 +36,7 @@ class Broadcast:
     what: str
     topic: str
     values: str = ""
+    pose: Pose | None = None
 
 
 def at_odds(one: Broadcast, other: Broadcast) -> bool:
@@ -49,7 +51,8 @@ def at_odds(one: Broadcast, other: Broadcast) -> bool:
     first, second = one.node.raw.conditions, other.node.raw.conditions
     if first and second and first != second:
         return False
-    return not (one.is_static and other.is_static and one.parent == other.parent and one.values == other.values)
+    is_said_twice = one.values == other.values or are_same(one.pose, other.pose)
+    return not (one.is_static and other.is_static and one.parent == other.parent and is_said_twice)
 
 
 def called(node: SystemNode) -> str:
@@ -108,6 +111,7 @@ def _static(node: SystemNode) -> Iterator[Broadcast]:
     if "--frame-id" in named or "--child-frame-id" in named:
         parent, child = named.get("--frame-id", ""), named.get("--child-frame-id", "")
         values = " ".join(sorted(f"{k} {v}" for k, v in named.items() if k.startswith("--")))
+        pose = of_options(named)
     else:
         if node.package == "tf":
             words = words[:-1]
@@ -115,6 +119,7 @@ def _static(node: SystemNode) -> Iterator[Broadcast]:
             return
         parent, child = words[-2:]
         values = " ".join(words)
+        pose = of_words(words[:-2])
     topic = _topic(node, "/tf" if node.package == "tf" else "/tf_static")
     if topic is None or not child or "?" in parent + child:
         return
@@ -130,6 +135,7 @@ def _static(node: SystemNode) -> Iterator[Broadcast]:
         f"{called(node)} publishes it",
         topic,
         values,
+        pose,
     )
 
 
@@ -152,6 +158,7 @@ def _of_robot(project: Project, system: System, node: SystemNode) -> Iterator[Br
                 f"{node} publishes the {joint.type} joint {joint.name}",
                 static if is_static else dynamic,
                 f"joint {joint.name}",
+                of_origin(*joint.origin) if joint.type == "fixed" else None,
             )
 
 

@@ -9,6 +9,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 from haros_ci.checking.installing import is_said_not_installed, landings, left_out_on_purpose
+from haros_ci.checking.interpreted import is_given_to_another
 from haros_ci.checking.project import Project, ProjectPackage
 from haros_ci.model.build import PluginClass, Target
 from haros_ci.model.launch_facts import ProgramUse
@@ -228,8 +229,9 @@ def _scripts(package: ProjectPackage, programs: Programs) -> Iterator[Uninstalle
             )
             other = next((installed for installed in beside if installed.kind == "program"), None)
             is_shown = _DEMONSTRATION.search((_HEAD.match(text) or [""])[0]) is not None
+            is_apart = other is None or is_shown or is_given_to_another(path, package)
             use, how = (
-                (None, how) if other is None or is_shown else (other.location, "installs the other scripts there")
+                (None, how) if other is None or is_apart else (other.location, "installs the other scripts there")
             )
         if use is None or (is_aside and _ASIDE.search(use.path.lower())):
             continue

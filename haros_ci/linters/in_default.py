@@ -14,7 +14,7 @@ IN_TESTS = frozenset(
     """
     cppcheck:accessMoved cppcheck:assertWithSideEffect cppcheck:comparisonFunctionIsAlwaysTrueOrFalse cppcheck:constStatement
     cppcheck:duplicateExpression cppcheck:duplicateExpressionTernary cppcheck:exceptThrowInDestructor
-    cppcheck:identicalConditionAfterEarlyExit cppcheck:identicalInnerCondition cppcheck:ignoredReturnValue
+    cppcheck:identicalConditionAfterEarlyExit cppcheck:identicalInnerCondition cppcheck:ignoredReturnValue cppcheck:incorrectLogicOperator
     cppcheck:knownEmptyContainer cppcheck:memleak cppcheck:moduloofone cppcheck:nanInArithmeticExpression cppcheck:negativeIndex
     cppcheck:nullPointer cppcheck:oppositeExpression cppcheck:redundantCopy cppcheck:resourceLeak cppcheck:sameIteratorExpression
     cppcheck:selfAssignment cppcheck:staticStringCompare cppcheck:stringCompare cppcheck:unreachableCode

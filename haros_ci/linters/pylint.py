@@ -40,7 +40,7 @@ from haros_ci.results.rule import Level
 NAME = "pylint"
 LANGUAGES = frozenset({"python"})
 WHEN = When.ALWAYS
-COST = 35.0
+COST = 25.0
 #: Long batches: every process starts for half a second, and parses all modules anew that its files import.
 BATCH_SECONDS = (10.0, 40.0)
 

@@ -13,7 +13,10 @@ from haros_ci.linters.class_methods import is_class_method, takes_value
 from haros_ci.linters.decorated import is_decorated
 from haros_ci.linters.pylint_idioms import (
     is_choice_of_calls,
+    is_instead_of_import,
     is_left_to_subclasses,
+    is_no_object,
+    is_of_known_key,
     is_one_of_several,
     is_placeholder,
     is_stub,
@@ -123,7 +126,11 @@ def is_refuted(rule: str, line: int, column: int, text: str) -> bool:  # noqa: C
     if rule == "comparison-with-itself":
         return is_test_for_nan(text, line)
     if rule == "function-redefined":
-        return is_used_before(text, line)
+        return is_used_before(text, line) or is_instead_of_import(text, line)
+    if rule == "modified-iterating-dict":
+        return is_of_known_key(text, line)
+    if rule == "self-cls-assignment":
+        return is_no_object(text, line, column)
     if rule == "invalid-sequence-index":
         return is_index_of_array(text, line, column)
     if rule == "trailing-comma-tuple":

@@ -16,9 +16,15 @@ from haros_ci.results.scope import scopes
 #: Lines of one statement, and characters of a line, that are looked at.
 _MOST = 12
 _LONGEST = 400
+#: How far above a loop a dictionary is made.
+_MADE = 60
 _THREAD = re.compile(r"[ \t]*((?:\w+\.)?\w+)[ \t]*(?::[^=\n]{0,80})?=[ \t]*(?:[\w.]+\.)?\w*Thread\([ \t]*\)")
 _ATTRIBUTE = re.compile(r"(?:self|cls)\.(\w+)[ \t]*\(")
 _ABSTRACT = re.compile(r"\bABC(?:Meta)?\b|\babstract|\bNotImplementedError\b", re.IGNORECASE)
+
+_WORD = re.compile(r"[^\W\d]\w*")
+#: How methods call the object, the class, and the class of a class.
+_OBJECTS = frozenset(("self", "cls", "mcs", "mcls", "metacls", "klass", "this"))
 
 
 def is_placeholder(text: str, line: int) -> bool:
@@ -156,3 +162,52 @@ def is_stub(text: str, line: int) -> bool:
                 value = body[0].value
                 return isinstance(value, ast.Constant) and value.value in (None, ...)
     return False
+
+
+def is_instead_of_import(text: str, line: int) -> bool:
+    """Whether the function or class at *line* takes the name of what the file imports and does not use before: the import alone is too much."""
+    tree = nodes(text)
+    defined = (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)
+    node = next((one for one in tree if isinstance(one, defined) and _first_line(one) <= line <= one.lineno), None)
+    if node is None or node.col_offset:
+        return False
+    above = [one for one in tree if 0 < getattr(one, "lineno", 0) < _first_line(node)]
+    bound = [one for one in above if isinstance(one, defined) and one.name == node.name]
+    imported = [
+        one
+        for one in above
+        if isinstance(one, (ast.Import, ast.ImportFrom)) and any(_bound(alias) == node.name for alias in one.names)
+    ]
+    return bool(imported) and not bound and not any(isinstance(one, ast.Name) and one.id == node.name for one in above)
+
+
+def _first_line(node: ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef) -> int:
+    return min([node.lineno, *(decorator.lineno for decorator in node.decorator_list)])
+
+
+def _bound(alias: ast.alias) -> str:
+    return alias.asname or alias.name.partition(".")[0]
+
+
+def is_no_object(text: str, line: int, column: int) -> bool:
+    """Whether what is assigned there is called neither ``self`` nor ``cls``: the method lacks its first parameter, and assigns to its second one."""
+    lines = text.split("\n")
+    found = _WORD.match(lines[line - 1], column) if 0 < line <= len(lines) else None
+    return found is not None and found[0] not in _OBJECTS
+
+
+def is_of_known_key(text: str, line: int) -> bool:
+    """Whether the statement at *line* sets a key that the dictionary has been made with, by a literal above: its size stays, and the loop goes on."""
+    statement = _statement(text, line)
+    target = statement.targets[0] if isinstance(statement, ast.Assign) else None
+    target = statement.target if isinstance(statement, ast.AugAssign) else target
+    if not isinstance(target, ast.Subscript) or not isinstance(target.slice, ast.Constant):
+        return False
+    name, key = ast.unparse(target.value), target.slice.value
+    made = [node for node in nodes(text) if isinstance(node, ast.Assign) and 0 < line - node.lineno <= _MADE]
+    last = [node for node in made if any(ast.unparse(one) == name for one in node.targets)][-1:]
+    return any(
+        isinstance(node.value, ast.Dict)
+        and any(isinstance(one, ast.Constant) and one.value == key for one in node.value.keys)
+        for node in last
+    )

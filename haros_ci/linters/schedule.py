@@ -11,7 +11,7 @@ from haros_ci.linters.linter import Linter, Unit
 #: Estimated seconds of one process: long against a tool's start, short against a run, so that no core idles at its end.
 BATCH_SECONDS = 4.0
 #: Files in one process at most: keeps command lines far below the kernel's limit.
-BATCH_FILES = 200
+BATCH_FILES = 400
 
 
 #: So many processes at least, where they get longer than they have to be: cores beyond that would idle.

@@ -123,7 +123,7 @@ CHANGE: tuple[tuple[tuple[str, ...], str, str], ...] = (
     ),
     (
         ("the CMakeLists.txt of a directory beside a package",),
-        "EXTERNAL_SUBDIR (catkin_lint) of that directory, where CMake is told where to build it",
+        "EXTERNAL_SUBDIR (catkin_lint) of that directory, where CMake is given the directory to build it in",
         "tests/linters/test_catkin_doubts.py::test_a_directory_that_packages_share",
     ),
     (

@@ -63,6 +63,7 @@ class Joint(Thing):
     """A joint. *type*, *parent* and *child* are None where they are not known, "" where they are not given.
 
     *mimic* is the joint that it follows, *factor* how often, *offset* what is added: None where one is not given, ``?`` where it is not known.
+    *origin* is where it is, as ``xyz`` and ``rpy``: "" where one is not given, None where it is not known.
     """
 
     name: str | None
@@ -73,6 +74,7 @@ class Joint(Thing):
     mimic: str | None = None
     factor: str | None = None
     offset: str | None = None
+    origin: tuple[str | None, str | None] = ("", "")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

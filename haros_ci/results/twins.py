@@ -25,6 +25,8 @@ LEAST = 8
 ALIKE = 0.75
 #: The lines of the shorter file, LONG at least, that the longer one has: the shorter one is an extract.
 INSIDE, LONG = 0.9, 20
+#: So many further files of a directory have a line, and its warning, where it was pasted into them.
+PASTED = 2
 #: Findings of one rule that are compared with each other; the others stay as they are.
 MOST = 60
 
@@ -56,6 +58,14 @@ class _Group:
             return True
         is_pasted = here.level is not Level.ERROR and len(self.statements) > 1 and self.causes() == other.causes()
         return is_pasted and dirname(here.location.path) == dirname(there.location.path)
+
+    def is_same_line(self, other: _Group) -> bool:
+        """Whether *other* is the one same warning of the one same line, in another file of the directory."""
+        here, there = self.result, other.result
+        if here.level is Level.ERROR or len(self.statements) != 1 or self.statements != other.statements:
+            return False
+        paths = here.location.path, there.location.path
+        return paths[0] != paths[1] and dirname(paths[0]) == dirname(paths[1])
 
     def causes(self) -> frozenset[tuple[str, ...]]:
         """What the findings say, whatever their lines are."""
@@ -128,7 +138,12 @@ def _by_head(groups: Sequence[_Group], files: _Files) -> Iterator[tuple[int, lis
     waiting = sorted(groups, key=lambda group: -len(group.statements))[:MOST]
     while waiting:
         head, *waiting = waiting
-        same = [group for group in waiting if head.is_twin(group, files)]
+        pasted = [group for group in waiting if head.is_same_line(group)]
+        same = [
+            group
+            for group in waiting
+            if head.is_twin(group, files) or (len(pasted) >= PASTED and head.is_same_line(group))
+        ]
         if same:
             yield head.at, same
             waiting = [group for group in waiting if group not in same]

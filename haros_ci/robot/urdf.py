@@ -76,6 +76,7 @@ def _joint(node: XmlNode) -> Joint:
         mimic=None if mimic is None else mimic.given("joint"),
         factor=None if mimic is None else _value(mimic, "multiplier"),
         offset=None if mimic is None else _value(mimic, "offset"),
+        origin=_origin(node),
         location=node.location,
         way=node.way,
         certain=node.certain,
@@ -85,6 +86,13 @@ def _joint(node: XmlNode) -> Joint:
 def _end(node: XmlNode, tag: str) -> str | None:
     found = next(node.all(tag), None)
     return "" if found is None else found.given("link")
+
+
+def _origin(node: XmlNode) -> tuple[str | None, str | None]:
+    found = next(node.all("origin"), None)
+    if found is None:
+        return "", ""
+    return (found.given("xyz"), found.given("rpy")) if found.certain else (None, None)
 
 
 def _limit(node: XmlNode) -> Limit:

@@ -33,6 +33,11 @@ _TREES: tuple[tuple[str, str, tuple[str, ...]], ...] = (
     ("phoenix", "phoenix", ("ErrorCode.h", "paramEnum.h", "motorcontrol/can/TalonSRX.h")),
     ("darknet", "darknet", ("include/darknet.h", "src/gemm.c", "src/network.c")),
     ("libsocket", "libsocket", ("socket.hpp", "inetbase.hpp", "unixbase.hpp")),
+    ("ikfom", "IKFoM_toolkit", ("esekfom/esekfom.hpp", "mtk/build_manifold.hpp", "mtk/types/S2.hpp")),
+    ("yolop", "lib", ("models/YOLOP.py", "models/common.py", "core/evaluate.py")),
+    ("pointpillars", "pointpillars", ("pointpillars.h", "preprocess.h", "scatter.h")),
+    ("pointpillar", "pointpillar", ("pointpillar.hpp", "lidar-voxelization.hpp", "common/tensor.hpp")),
+    ("pointpillar", "eval", ("kitti_format.py", "kitti_common.py", "eval.py")),
     ("freertos", "", ("tasks.c", "queue.c", "list.c", "include/FreeRTOS.h")),
 )
 _BY_FIRST: dict[str, list[tuple[str, str, tuple[str, ...]]]] = {}

@@ -252,6 +252,33 @@ def test_the_driver_refuses_a_target_that_is_not_there() -> None:
     assert "no such target: conditions" in done.stderr
 
 
+def test_stored_inputs_and_a_few_more_run_in_copies_of_one_process(tmp_path: Path) -> None:
+    done = driver("condition", "names", "--inputs", "2", "--findings", str(tmp_path / "f"))
+    assert done.returncode == 0, done.stdout + done.stderr
+    stored = {name: len(list((CORPUS / name).iterdir())) for name in ("condition", "names")}
+    for name, count in stored.items():
+        assert re.search(rf"^{name} +{count + 2} inputs +[1-9]\d* blocks", done.stdout, re.MULTILINE), done.stdout
+
+
+@pytest.mark.parametrize("end", ["os.kill(os.getpid(), 9)", "os._exit(3)", "raise KeyError"])
+def test_a_copy_that_dies_is_a_finding_with_its_input(tmp_path: Path, end: str) -> None:
+    script = f"""
+import os, sys
+sys.path[:0] = [{str(HERE.parent)!r}]
+from pathlib import Path
+from fuzz import run, worker
+def body(state):
+    state.write_bytes(worker.HEAD.pack(1, 3) + b"bad")
+    {end}
+start = lambda state, said, err: run.Forked(lambda: body(state), state, said, err)
+print(run.watched_process("target", Path({str(tmp_path)!r}), start)[0]["inputs"])
+"""
+    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stdout.split()) == (0, ["1"]), done.stderr
+    (found,) = tmp_path.glob("target-died*.txt")
+    assert found.with_suffix("").read_bytes() == b"bad"
+
+
 SCRIPT = """
 import json, sys
 sys.path.insert(0, {tests!r})

@@ -155,11 +155,16 @@ def limit_memory() -> None:
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
 
 
-def main(name: str, options: Namespace, seeds: list[Path], more: list[Path], corpus: Path) -> None:
-    """Fuzz *name* in this process, which does nothing else, or merge *more*; the statistics go to stdout."""
+def main(
+    name: str, options: Namespace, seeds: list[Path], more: list[Path], corpus: Path, coverage: Coverage | None = None
+) -> None:
+    """Fuzz *name* in this process, which does nothing else, or merge *more*; the statistics go to stdout.
+
+    *coverage* is that of a process whose modules are instrumented already.
+    """
     from fuzz.instrument import install
 
-    worker = Worker(name, options.seed, options.state, options.findings, install())
+    worker = Worker(name, options.seed, options.state, options.findings, coverage or install())
     if sys.platform == "linux":
         limit_memory()
     data = [path.read_bytes() for path in seeds]

@@ -23,6 +23,7 @@ IDLE = [
     (result("cppcheck:duplicateExpression", "demo/test/a.cpp"), 2),
     (result("cppcheck:ignoredReturnValue", "tests/unit/a.cpp"), 2),
     (result("cppcheck:selfAssignment", "src/a_test.cpp"), None),
+    (result("cppcheck:incorrectLogicOperator", "test/test_gait.cpp"), 2),
     (result("pylint:unreachable", "demo/test_walk.py"), 2),
     (result("cppcheck:unusedVariable", "test/a.cpp"), 2),
     (result("cppcheck:unusedVariable", "src/a_test.cc"), 1),
@@ -35,6 +36,7 @@ IDLE = [
 ]
 STANDS = [
     (result("cppcheck:duplicateExpression"), 2),
+    (result("cppcheck:incorrectLogicOperator"), 2),
     (result("cppcheck:duplicateExpression", "src/contest.cpp"), 2),
     (result("cppcheck:duplicateExpression", "src/attest/a.cpp"), 2),
     (result("cppcheck:duplicateExpression", "src/latest.cpp"), 2),

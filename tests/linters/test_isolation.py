@@ -103,3 +103,10 @@ def test_odd_names_are_linted(tmp_path: Path, name: str) -> None:
     done = run(tmp_path, {name: "import os\n"})
     assert ("unused-import", name) in {(result.rule, result.location.path) for result in done.results}
     assert done.successful
+
+
+def test_the_collector_is_off_in_the_tool(tmp_path: Path) -> None:
+    tmp_path.joinpath("tool.py").write_text("import gc\nprint(gc.isenabled())\n")
+    script = Path(pylint.__file__).with_name("isolation.py")
+    command = [sys.executable, "-I", str(script), str(tmp_path), "tool"]
+    assert subprocess.run(command, capture_output=True, text=True, check=True).stdout == "False\n"

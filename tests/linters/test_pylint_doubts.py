@@ -543,3 +543,60 @@ def test_elements_of_arrays_as_an_index(use: str) -> None:
 def test_what_is_no_index_of_an_array(text: str) -> None:
     assert not is_refuted("invalid-sequence-index", 6, 10, ARRAYS.format(text))
     assert not is_refuted("invalid-sequence-index", 6, 10, ARRAYS.format("names[at[0]]").replace("numpy", "other"))
+
+
+IMPORTED = "from tf.transformations import (\n    rotate,\n    turn,\n)\n{}\n\ndef rotate(axis):\n    return axis\n\n\nprint(rotate(1))\n"
+
+
+def test_a_function_instead_of_an_import() -> None:
+    """The import is not used before: the function alone is ever called."""
+    assert is_refuted("function-redefined", 7, 0, IMPORTED.format(""))
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        IMPORTED.format("x = rotate(2)"),
+        IMPORTED.format("def other():\n    return rotate(2)"),
+        IMPORTED.format("def rotate():\n    pass"),
+        IMPORTED.format("").replace("    rotate,", "    rotate as spin,"),
+        IMPORTED.format("").replace("def rotate(axis):\n    return axis", "class A:\n    def rotate(self): pass"),
+        "def rotate():\n    pass\n\n\n\n\ndef rotate():\n    pass\n",
+    ],
+)
+def test_a_function_that_is_defined_twice(text: str) -> None:
+    line = max(number for number, part in enumerate(text.split("\n"), 1) if "def rotate(" in part)
+    assert not is_refuted("function-redefined", line, 0, text)
+
+
+@pytest.mark.parametrize(
+    ("first", "expected"),
+    [("q", True), ("axis", True), ("self", False), ("cls", False), ("mcs", False), ("this", False)],
+)
+def test_an_assignment_to_what_is_no_object(first: str, expected: bool) -> None:
+    text = f"class A:\n    def unit({first}):\n        {first} = {first} / 2\n"
+    assert is_refuted("self-cls-assignment", 3, 8, text) is expected
+
+
+ALL = "def f(a):\n    had = {}\n    for key in had:\n        {}\n    return had\n"
+
+
+@pytest.mark.parametrize(
+    ("made", "change", "expected"),
+    [
+        ("{'all': True, 'a': a}", "had['all'] = had['all'] and had[key]", True),
+        ("{'all': 0, 'a': a}", "had['all'] += had[key]", True),
+        ("{'a': a}", "had['all'] = had[key]", False),
+        ("dict(a)", "had['all'] = had[key]", False),
+        ("{'all': 0}\n    had = {}", "had['all'] = had[key]", False),
+        ("{'all': 0}", "had[key + 'x'] = 1", False),
+        ("{'all': 0}", "del had['all']", False),
+        ("{'all': 0}", "had.pop('all')", False),
+        ("{**a}", "had['all'] = 1", False),
+    ],
+)
+def test_a_key_that_the_dictionary_has(made: str, change: str, expected: bool) -> None:
+    """What is iterated over keeps its size if a key that is there gets another value."""
+    text = ALL.replace("had = {}", f"had = {made}").replace("        {}", f"        {change}")
+    line = next(number for number, part in enumerate(text.split("\n"), 1) if part.strip() == change)
+    assert is_refuted("modified-iterating-dict", line, 8, text) is expected

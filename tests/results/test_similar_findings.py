@@ -74,6 +74,30 @@ def test_two_arguments_that_were_pasted_into_another_file_of_the_directory() -> 
     assert other.location.path == "m/b.launch"
 
 
+def alone(path: str) -> str:
+    """Twelve lines that no other file has, and one that all have."""
+    return "\n".join((*(f'<param name="{path}{n}"/>' for n in range(12)), LINES[4]))
+
+
+def test_one_line_that_was_pasted_into_three_files_of_a_directory() -> None:
+    """Launch files that have nothing else in common, of which each declares an argument that it does not read."""
+    texts = {path: alone(path) for path in ("l/a.launch", "l/b.launch", "l/c.launch", "m/d.launch")}
+    first, other = joined([unused(path, line=13) for path in texts], texts)
+    assert first.location.path == "l/a.launch"
+    assert [copy.location.path for copy in first.copies] == ["l/b.launch", "l/c.launch"]
+    assert other.location.path == "m/d.launch"
+
+
+@pytest.mark.parametrize("kind", ["two files", "another line", "errors"])
+def test_one_line_of_several_files_that_stays_apart(kind: str) -> None:
+    paths = ("a.launch", "b.launch") if kind == "two files" else ("a.launch", "b.launch", "c.launch")
+    texts = {path: alone(path) for path in paths}
+    if kind == "another line":
+        texts["c.launch"] = texts["c.launch"].replace(LINES[4], LINES[5])
+    level = Level.ERROR if kind == "errors" else Level.WARNING
+    assert len(joined([unused(path, line=13, level=level) for path in paths], texts)) == len(paths)
+
+
 QUIET = [
     pytest.param([unused("a.launch"), unused("a.launch", line=6)], TEXT, id="one file"),
     pytest.param([unused("a.launch"), unused("b.launch")], OTHER, id="another text"),

@@ -33,6 +33,8 @@ def eigen(root: str = EIGEN) -> tuple[str, ...]:
 
 
 #: Path, other files, directories asked about, and the directory of the copy.
+YOLOP = ("models/YOLOP.py", "models/common.py", "core/evaluate.py")
+IKFOM = ("esekfom/esekfom.hpp", "mtk/build_manifold.hpp", "mtk/types/S2.hpp")
 FIRES = [
     (
         "src/demo/net/utils/plots.py",
@@ -71,8 +73,18 @@ FIRES = [
     (f"{CHIP}/Src/stm32f4xx_hal_gpio.c", (f"{CHIP}/Inc/stm32f4xx_hal_gpio.h",), (), CHIP),
     ("yolo/darknet/src/gemm.c", ("yolo/darknet/include/darknet.h", "yolo/darknet/src/network.c"), (), "yolo/darknet"),
     ("fw/os/tasks.c", ("fw/os/queue.c", "fw/os/list.c", "fw/os/include/FreeRTOS.h"), (), "fw/os"),
+    ("src/demo/lib/a.py", tuple(f"src/demo/lib/{name}" for name in YOLOP), (), "src/demo/lib"),
+    (
+        "src/demo/include/IKFoM_toolkit/mtk/types/S2.hpp",
+        tuple(f"src/demo/include/IKFoM_toolkit/{name}" for name in IKFOM),
+        (),
+        "src/demo/include/IKFoM_toolkit",
+    ),
 ]
 QUIET = [
+    ("src/demo/lib/a.py", tuple(f"src/demo/lib/{name}" for name in YOLOP[1:]), ()),
+    ("src/demo/include/ikfom/a.hpp", tuple(f"src/demo/include/ikfom/{name}" for name in IKFOM), ()),
+    ("src/demo/pointpillars/nms.h", ("src/demo/pointpillars/pointpillars.h",), ()),
     ("src/demo/src/a.cpp", ("src/demo/LICENSE",), ()),
     ("src/demo/src/a.cpp", ("LICENSE", "src/LICENSE"), ()),
     ("src/other/a.cpp", ("src/other/LICENSE",), ()),

@@ -133,6 +133,12 @@ ROWS: tuple[dict[str, object], ...] = (
      "calls": ["1", "done_cb", "2", "active_cb", "3", "feedback_cb"]},
     {"call": "actionlib.ActionClient.send_goal", "calls": ["1", "transition_cb", "2", "feedback_cb"]},
 
+    # moveit_commander/planning_scene_interface.py, move_group.py, robot.py: /collision_object, /attached_collision_object and what
+    # the interfaces of C++ inside of them make, by their version.
+    {"call": "moveit_commander.PlanningSceneInterface", "unseen": "a client of move_group is made"},
+    {"call": "moveit_commander.MoveGroupCommander", "unseen": "a client of move_group is made"},
+    {"call": "moveit_commander.RobotCommander", "unseen": "a client of move_group is made"},
+
     # tf/broadcaster.py, tf/listener.py, docs.ros.org/api/tf/html/python: the listener keeps a Buffer without a service.
     {"call": "tf.TransformBroadcaster",
      "makes": [{"kind": "publishers", "name": "/tf", "type": "tf2_msgs/TFMessage",

@@ -195,6 +195,11 @@ class Finder:
         """Whether several packages have that name, so that it is not known which is meant."""
         return package in self._doubled
 
+    def has_build_file(self, start: str) -> bool:
+        """Whether the package at *start* has a file at its top that builds it."""
+        prefix = "" if start == "." else f"{start}/"
+        return any(prefix + name in self.names for name in _BUILD_FILES)
+
     def script(self, package: str, start: str) -> str:
         """The texts of what builds *package*."""
         if package not in self._scripts:

@@ -55,8 +55,8 @@ class Programs:
     def _look_up(self, use: ProgramUse) -> tuple[bool | None, tuple[str, ...], bool]:
         build = self.builds.get(use.package)
         start = self.finder.files.directories.get(use.package)
-        if start is None or build is None:
-            return None, (), False
+        if start is None or build is None or not self.finder.has_build_file(start):
+            return None, (), False  # of a package that nothing builds, that is what is wrong
         if self._versions.get(use.package) not in (None, use.ros):
             return None, (), False  # the package of this name for the other ROS, which is another one
         if use.kind == "executable" and (called := self._is_not_made(use, build, start)) is not None:
