@@ -8,7 +8,7 @@ from collections.abc import Iterator
 
 from haros_ci.api import Check, Edit, Finding, Fix, Level, Location, Project, ProjectPackage, is_slip
 from haros_ci.api.launch import ProgramUse
-from haros_ci.api.packages import EntryPoint, OwnModules, entry_point_mistake, renamed_module
+from haros_ci.api.packages import EntryPoint, LostImport, OwnModules, entry_point_mistake, renamed_module
 
 _MARKERS = "share/ament_index/resource_index/packages"
 _NODE = re.compile(r"\brclpy\.(?:init|spin\w*|create_node)\(|\((?:\w+\.)*(?:Lifecycle)?Node\)\s*:")
@@ -67,14 +67,20 @@ def _lost_imports(package: ProjectPackage) -> Iterator[Finding]:
     own = OwnModules(package, package.project.sources)
     for entry_point in package.build.entry_points if package.ros == 2 else ():
         for lost in own.lost(entry_point) if entry_point.path else ():
-            why = f"which is {lost.instead}; write that name" if lost.instead else "which does not exist"
+            what = f"{lost.name} from {lost.module}" if lost.name else lost.module
             yield Finding(
                 at=lost.location,
-                message=f"program {entry_point.name} of package {package.name} cannot start: it imports {lost.module}, {why}",
-                about=(package.name, lost.module),
+                message=f"program {entry_point.name} of package {package.name} cannot start: it imports {what}, {_why(lost)}",
+                about=(package.name, *filter(None, (lost.module, lost.name))),
                 related=((entry_point.location, f"the program {entry_point.name}"),),
-                apart=(lost.location.path, lost.module),
+                apart=(lost.location.path, *filter(None, (lost.module, lost.name))),
             )
+
+
+def _why(lost: LostImport) -> str:
+    if lost.name:
+        return f"which has no such name; {f'write {lost.instead}' if lost.instead else 'define it there, or remove the import'}"
+    return f"which is {lost.instead}; write that name" if lost.instead else "which does not exist"
 
 
 def _is_there(path: str, package: ProjectPackage) -> bool:

@@ -180,6 +180,7 @@ __all__ = [
     "Lookup",
     "LostImport",
     "Need",
+    "LostImport",
     "OwnModules",
     "Package",
     "PluginClass",

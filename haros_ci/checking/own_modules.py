@@ -8,9 +8,11 @@ import re
 import sys
 from collections.abc import Iterator
 from dataclasses import dataclass, field
+from difflib import get_close_matches
 
 from haros_ci.checking.appearing import may_appear
 from haros_ci.checking.branches import parsed
+from haros_ci.checking.own_names import names_of
 from haros_ci.checking.project import ProjectPackage
 from haros_ci.checking.provision import Sources
 from haros_ci.model.build import EntryPoint
@@ -48,11 +50,12 @@ MAX_FILES = 500
 
 @dataclass(frozen=True, slots=True)
 class LostImport:
-    """The import of a *module* at *location*; *instead* is what to write, "" where nothing of that name is there."""
+    """The import of a *module*, or of a *name* in it, at *location*; *instead* is what to write, "" where nothing of that name is there."""
 
     module: str
     location: Location
     instead: str
+    name: str = ""
 
 
 @dataclass(slots=True)
@@ -79,13 +82,17 @@ class OwnModules:
             self.seen.add(path)
             if _SEARCHING.search(text) is not None:
                 return
-            for module, line in _imports(tree, path, folder) if tree is not None else ():
+            for module, names, line in _imports(tree, path, folder) if tree is not None else ():
                 location = Location(path, line)
                 if module.partition(".")[0] == _name(folder):
                     found, is_lost = self._found(module, folder)
                     todo += found
                     if is_lost:
                         yield LostImport(module, location, "")
+                    elif found and names:
+                        place = "/".join((folder, *module.split(".")[1:]))
+                        if found[-1] in (f"{place}.py", f"{place}/__init__.py"):
+                            yield from self._lost_names(module, names, found[-1], location)
                 elif (beside := self._beside(module, path)) is not None:
                     yield LostImport(module, location, f"{_dotted(beside, folder)}")
 
@@ -103,6 +110,21 @@ class OwnModules:
             if not files and not self._is_folder(place):
                 return found, part not in _MADE and not names.search(project.text(beside)) and not self._may_come(place)
         return found, False
+
+    def _lost_names(self, module: str, names: tuple[str, ...], file: str, location: Location) -> Iterator[LostImport]:
+        """The *names* that neither the module in *file* has, nor a module below it."""
+        place = file.removesuffix("/__init__.py").removesuffix(".py")
+        text = self.package.project.text(file)
+        known = names_of(text) if len(text) <= MAX_TEXT else None
+        if known is None:
+            return
+        for name in names:
+            below = f"{place}/{name}"
+            if name in known or name.startswith("__") or name in _MADE or self._is_folder(below):
+                continue
+            if not self._may_come(below):
+                alike = get_close_matches(name, sorted(known), 1, 0.75)
+                yield LostImport(module, location, alike[0] if alike else "", name)
 
     def _is_folder(self, place: str) -> bool:
         """Whether a directory, or a module in another form than text, is at *place*."""
@@ -163,14 +185,17 @@ def _dotted(file: str, folder: str) -> str:
     return f"{_name(folder)}{inner}"
 
 
-def _imports(tree: ast.Module, path: str, folder: str) -> Iterator[tuple[str, int]]:
-    """The modules that the outermost statements import, by their whole names, with their lines; relative ones resolved in *folder*."""
+def _imports(tree: ast.Module, path: str, folder: str) -> Iterator[tuple[str, tuple[str, ...], int]]:
+    """The modules that the outermost statements import, by their whole names, with the names taken from them and the lines; relative ones resolved in *folder*."""
     inner = path.removeprefix(folder).split("/")[1:-1]
     for statement in tree.body:
         if isinstance(statement, ast.Import):
-            yield from ((alias.name, statement.lineno) for alias in statement.names)
-        elif isinstance(statement, ast.ImportFrom) and statement.level == 0 and statement.module:
-            yield statement.module, statement.lineno
-        elif isinstance(statement, ast.ImportFrom) and 0 < statement.level <= len(inner) + 1 and statement.module:
-            above = inner[: len(inner) + 1 - statement.level]
-            yield ".".join((_name(folder), *above, statement.module)), statement.lineno
+            yield from ((alias.name, (), statement.lineno) for alias in statement.names)
+        elif isinstance(statement, ast.ImportFrom):
+            names = tuple(alias.name for alias in statement.names if alias.name != "*")
+            module = (statement.module,) if statement.module else ()
+            if statement.level == 0:
+                yield ".".join(module), names, statement.lineno
+            elif statement.level <= len(inner) + 1:
+                above = inner[: len(inner) + 1 - statement.level]
+                yield ".".join((_name(folder), *above, *module)), names, statement.lineno

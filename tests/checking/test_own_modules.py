@@ -62,7 +62,7 @@ def test_a_module_that_python_does_not_find(imports: str, words: str, tmp_path: 
 
 def test_a_module_that_another_one_imports(tmp_path: Path) -> None:
     (message,) = messages(
-        "from demo.parts import arm\nfrom demo.parts.arm import A",
+        "from demo.parts import arm\nfrom demo.parts.arm import hand",
         tmp_path,
         {"demo/parts/arm.py": "import hand\n", "demo/parts/hand.py": ""},
     )
@@ -103,7 +103,7 @@ def test_a_module_in_another_form(name: str, tmp_path: Path) -> None:
         ("from demo.tools import WIDTH", {}),
         ("from .tools import WIDTH", {}),
         ("from . import tools", {}),
-        ("from .parts.arm import A", {}),
+        ("from .parts.arm import LENGTH", {}),
         ("import demo.parts.arm as arm", {}),
         ("from demo.VERSION import A", {}),  # a name of the package
         ("from demo.msg import Arm", {}),
@@ -136,3 +136,102 @@ def test_a_module_that_setup_installs_by_itself(setup: str, tmp_path: Path) -> N
 
 def test_a_module_that_nothing_starts(tmp_path: Path) -> None:
     assert messages("", tmp_path, {"demo/spare.py": "import tools\nfrom demo.gone import A\n"}) == []
+
+
+NAMES = [
+    (
+        "from demo.tools import HEIGHT",
+        {},
+        "it imports HEIGHT from demo.tools, which has no such name; define it there, or remove the import",
+    ),
+    ("from demo.tools import WIDHT", {}, "it imports WIDHT from demo.tools, which has no such name; write WIDTH"),
+    ("from .tools import WIDTH, DEPTH", {}, "it imports DEPTH from demo.tools"),
+    ("from demo import RELEASE", {}, "it imports RELEASE from demo, which"),
+    ("from demo.parts import leg", {}, "it imports leg from demo.parts"),
+    (
+        "import demo.parts.arm",
+        {"demo/parts/arm.py": "from ..tools import arm_width\n"},
+        "it imports arm_width from demo.tools",
+    ),
+    (
+        "from demo.tools import help",
+        {"demo/tools.py": "class A:\n    def help(self):\n        pass\n"},
+        "it imports help from",
+    ),
+    (
+        "from demo.tools import x",
+        {"demo/tools.py": "def f():\n    x = 1\n    return x\n"},
+        "it imports x from demo.tools",
+    ),
+]
+
+
+@pytest.mark.parametrize(("imports", "more", "words"), NAMES, ids=[imports for imports, _, _ in NAMES])
+def test_a_name_that_a_module_does_not_have(imports: str, more: dict[str, str], words: str, tmp_path: Path) -> None:
+    (message,) = messages(imports, tmp_path, more)
+    assert message.startswith("program run of package demo cannot start: ") and words in message
+
+
+BINDINGS = [
+    "A = 1",
+    "A: int = 1",
+    "A += 1",
+    "(A, B), *C = f()",
+    "def A(): pass",
+    "async def A(): pass",
+    "class A: pass",
+    "import A",
+    "import A.b",
+    "import b.c as A",
+    "from b import A",
+    "from b import c as A",
+    "for A in (1, 2): pass",
+    "with open('x') as A: pass",
+    "if B:\n    A = 1",
+    "try:\n    import A\nexcept ImportError:\n    pass",
+    "try:\n    pass\nfinally:\n    A = 1",
+    "while (A := f()): pass",
+    "def f():\n    global A\n    A = 1",
+    "class B:\n    def f(self):\n        global A\n        A = 1",
+    "match f():\n    case [*A]:\n        pass",
+    "match f():\n    case {'a': 1, **A}:\n        pass",
+    "from b import *",
+    "from b import (\n    *)",
+    "def __getattr__(name): return 1",
+    "globals()['A'] = 1",
+    "globals().update(f())",
+    "exec('A = 1')",
+    "setattr(f(), 'A', 1)",
+    "sys.modules[__name__] = f()",
+    "def broken(:",
+    "print 'Python 2'",
+]
+
+
+@pytest.mark.parametrize("text", BINDINGS)
+def test_quiet_where_a_module_has_the_name_or_may_have_it(text: str, tmp_path: Path) -> None:
+    assert messages("from demo.tools import A", tmp_path, {"demo/tools.py": f"{text}\n"}) == []
+
+
+QUIET_NAMES = [
+    ("from demo.parts import arm", {}),
+    ("from demo.parts import arm, LENGTH", {}),
+    ("from demo import parts", {}),
+    ("from . import tools", {}),
+    ("from demo.tools import *", {}),
+    ("from demo.tools import __doc__, __name__", {}),
+    ("from demo.parts import fast", {"demo/parts/fast.cpython-310-x86_64-linux-gnu.so": ""}),
+    ("from demo.parts import data", {"demo/parts/data/one.py": "X = 1\n"}),
+    ("from demo import msg", {}),
+    ("try:\n    from demo.tools import HEIGHT\nexcept ImportError:\n    HEIGHT = 1", {}),
+    ("def f():\n    from demo.tools import HEIGHT", {}),
+    ("if f():\n    from demo.tools import HEIGHT", {}),
+    ("import sys\nsys.path.insert(0, '/x')\nfrom demo.tools import HEIGHT", {}),
+    ("from demo.kinds import HEIGHT", {"demo/kinds/one.py": "X = 1\n"}),
+    ("from other.tools import HEIGHT", {}),
+]
+
+
+@pytest.mark.parametrize(("imports", "more"), QUIET_NAMES, ids=[imports for imports, _ in QUIET_NAMES])
+def test_quiet_on_other_imports_of_names(imports: str, more: dict[str, str], tmp_path: Path) -> None:
+    assert messages(imports, tmp_path, more) == []
