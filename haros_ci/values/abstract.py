@@ -76,12 +76,14 @@ class Opaque:
 class Partial(Opaque):
     """The content of a sequence that is not known but for *some* cells, which are elements of it for sure.
 
-    Of the *others* each is an element on some paths. *last* is the last element, where that is known.
+    Of the *others* each is an element on some paths. *last* is the last element, where that is known. With *is_all* there are no more
+    elements than *some*, in an order that is not known.
     """
 
     some: tuple[Cell, ...] = ()
     others: tuple[Cell, ...] = ()
     last: Cell | None = None
+    is_all: bool = False
 
 
 @dataclass(frozen=True, slots=True)

@@ -30,6 +30,11 @@ _ALL = re.compile(rf"{_AT}|\$\{{([A-Za-z0-9/_.+-]{{1,200}})\}}|(\$(?:ENV|CACHE)?
 _CMAKE_LINE = re.compile(r"^[ \t]*#[ \t]*cmakedefine", re.M)
 #: What only the machine that builds tells: where things lie, and values that follow it without one.
 _OF_THE_BUILD = re.compile(r"install(?:/|$)")
+#: The tag of an element that may hold a text: none that holds others.
+_OPENED = re.compile(
+    r"<(?!xacro:|(?:robot|gazebo|plugin|sdf|world|model|link|joint|sensor|visual|collision|ros2_control|transmission|launch)[\s>])"
+    r"[A-Za-z_][\w.:-]*(?:\s[^<>]*)?(?<!/)>"
+)
 
 
 def _configure(state: CMakeState, call: EvaluatedCommand) -> None:
@@ -76,13 +81,13 @@ def _value(state: CMakeState, name: str) -> str:
 
 
 def _stands_in_values(text: str) -> bool:
-    """Whether all that is not known stands in tags, or is the text of an element without others: no elements are hidden by it."""
+    """Whether all that is not known stands in tags, or is the text of an element that has none in it: no elements are hidden by it."""
     at = text.find(NOT_KNOWN)
     while at >= 0:
         opened, closed = text.rfind("<", 0, at), text.rfind(">", 0, at)
         if opened < closed:
-            after = text.find("<", at)
-            is_leaf = text.startswith("</", after) and text[closed - 1] not in "/-?" and text[opened + 1] not in "/!?"
+            tag = _OPENED.match(text, opened)
+            is_leaf = tag is not None and tag.end() == closed + 1 and text.startswith("</", text.find("<", at))
             if not is_leaf:
                 return False
         at = text.find(NOT_KNOWN, at + 1)

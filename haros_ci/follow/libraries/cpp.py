@@ -11,6 +11,7 @@ from haros_ci.follow import construct, conversions, methods, uncalled
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import (
     algorithms,
+    arranging,
     cpp_data,
     formats,
     given_away,
@@ -171,6 +172,8 @@ def function(  # noqa: C901 - one branch for each modelled function
         return library_yaml.yaml_stream(walk, args[0].value)
     if name in patterns.NAMES:
         return patterns.matched(args)
+    if (arranged := arranging.called(walk, frame, name, args)) is not None:
+        return arranged
     if name in ("std::find_if", "std::find") and args:
         return algorithms.found(walk, frame, args)
     if name in ("std::getline",) and len(args) >= 2 and args[1].cell is not None:
