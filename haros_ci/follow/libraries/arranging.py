@@ -5,10 +5,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from haros_ci.follow.frames import Frame
 from haros_ci.follow.walk import Walk
 from haros_ci.values import iterators
-from haros_ci.values.abstract import NONE, Cell, Known, Mapped, Object, Partial, Sequence, Value
+from haros_ci.values.abstract import NONE, Cell, Known, Mapped, Object, Opaque, Partial, Sequence, Value
 from haros_ci.values.state import certain, possible
 
 if TYPE_CHECKING:
@@ -24,7 +23,7 @@ BEGINS, ENDS = frozenset(("std::begin", "std::cbegin")), frozenset(("std::end", 
 ORDER = "the order of the elements is not known"
 
 
-def called(walk: Walk, frame: Frame, name: str, args: tuple[PassedArgument, ...]) -> Value | None:
+def called(walk: Walk, name: str, args: tuple[PassedArgument, ...]) -> Value | None:
     """What such a function gives, with the list arranged; None of any other, and where it is not known of what it goes through."""
     if name in BEGINS | ENDS and len(args) == 1:
         every = args[0].value
@@ -45,7 +44,7 @@ def called(walk: Walk, frame: Frame, name: str, args: tuple[PassedArgument, ...]
     return (
         NONE
         if short not in ("rotate", "partition", "stable_partition", "next_permutation", "prev_permutation")
-        else (walk.opaque("what an algorithm gives", frame))
+        else (Opaque("what an algorithm gives is not known"))
     )
 
 
