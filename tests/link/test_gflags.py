@@ -103,3 +103,9 @@ def test_what_is_left_of_the_command_line() -> None:
     body = f"{PARSE}INIT ros::Publisher p = nh.advertise<std_msgs::String>(argv[1], 1);"
     assert [n for n, _, _ in made(node(body, "other"))] == ["/other"]
     assert [n for n, _, _ in made(node(body, "--latch other"))] == ["/?"]
+
+
+def test_a_text_that_is_empty_is_given_by_whoever_starts_the_program() -> None:
+    flags = FLAGS.replace('"chat"', '""')
+    assert [n for n, _, _ in made(node(f"{PARSE}INIT {MADE}", None, flags))] == ["/?"]
+    assert [n for n, _, _ in made(node(f"{PARSE}INIT {MADE}", "--topic=other", flags))] == ["/other"]

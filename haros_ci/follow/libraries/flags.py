@@ -35,6 +35,8 @@ def parsed(walk: Walk, frame: Frame, args: tuple[PassedArgument, ...]) -> Value:
     given = None if words is None else list(_given(words, {name: _kind(walk, frame, cells[name]) for name in cells}))
     if given is None or any(name == f"{PREFIX}{FILE}" for name, _ in given):
         given = [(name, None) for name in cells]
+    if not words:  # who starts it by hand gives what is empty
+        given += [(name, None) for name in cells if _is_empty(walk, frame, cells[name])]
     for name, value in given:
         cell = lookup.named_cell(walk, frame, cells[name]) if name in cells else None
         if cell is not None:
@@ -54,6 +56,11 @@ def _left(walk: Walk, frame: Frame, args: tuple[PassedArgument, ...]) -> None:
             walk.state.write(cell.value.content, unknown)
         elif cell is not None:
             walk.state.write(cell, unknown)
+
+
+def _is_empty(walk: Walk, frame: Frame, name: str) -> bool:
+    cell = lookup.named_cell(walk, frame, name)
+    return cell is not None and cell.value == Known("")
 
 
 def _kind(walk: Walk, frame: Frame, name: str) -> str:
