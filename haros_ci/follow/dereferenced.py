@@ -19,19 +19,7 @@ def led(walk: Walk, frame: Frame, value: Value) -> Object | None:
     """What an object that has no member of some name leads to by its own operator; None if that is not known, or it has none."""
     if not isinstance(value, Object) or value.definition is None or value.definition[0].separator != "::":
         return None
-    if not _are_any(walk):
-        return None
     every = (methods.method_of(walk, value, name, ()) for name in OPERATORS)
     method = next((one for one in every if one is not None and not one.function.parameters), None)
     found = activation.invoke(walk, frame, method, ()) if method is not None else None
     return found if isinstance(found, Object) and found is not value else None
-
-
-def _are_any(walk: Walk) -> bool:
-    """Whether any class of the workspace has such an operator."""
-    key = ("[operators]",)
-    if key not in walk.found:
-        walk.found[key] = any(
-            name.rpartition("::")[2] in OPERATORS and not name.startswith("operator") for name in walk.index.functions
-        )
-    return bool(walk.found[key])

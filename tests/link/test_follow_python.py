@@ -524,10 +524,6 @@ DEFECTS = (
         "keyword arguments that are unpacked do not reach parameters with a default (activation.bind)",
     )
     | because(
-        "what is assigned to a class's or module's attribute is lost (assignments._target)",
-        "attributes from keywords",
-    )
-    | because(
         "globals(), __dict__, vars() and exec change nothing",
         "globals()",
         "exec",
