@@ -25,11 +25,8 @@ ORDER = "the order of the elements is not known"
 
 def called(walk: Walk, name: str, args: tuple[PassedArgument, ...]) -> Value | None:
     """What such a function gives, with the list arranged; None of any other, and where it is not known of what it goes through."""
-    if name in BEGINS | ENDS and len(args) == 1:
-        every = args[0].value
-        if not isinstance(every, (Sequence, Mapped)):
-            return None
-        return iterators.at(every, 0) if name in BEGINS else iterators.end_of(every)
+    if name in BEGINS | ENDS:
+        return _edge(name, args[0].value) if len(args) == 1 else None
     short = name.removeprefix("std::")
     is_range = short.startswith("ranges::")
     short = short.removeprefix("ranges::")
@@ -46,6 +43,13 @@ def called(walk: Walk, name: str, args: tuple[PassedArgument, ...]) -> Value | N
         if short not in ("rotate", "partition", "stable_partition", "next_permutation", "prev_permutation")
         else (Opaque("what an algorithm gives is not known"))
     )
+
+
+def _edge(name: str, every: Value) -> Value | None:
+    """``std::begin`` or ``std::end`` of a list or map."""
+    if not isinstance(every, (Sequence, Mapped)):
+        return None
+    return iterators.at(every, 0) if name in BEGINS else iterators.end_of(every)
 
 
 def _of(start: Value) -> Value | None:

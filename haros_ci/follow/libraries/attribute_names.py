@@ -94,11 +94,8 @@ def assigned(walk: Walk, owner: Value, name: Value, value: Value, frame: Frame) 
 def updated(walk: Walk, owner: Value, args: tuple[PassedArgument, ...], frame: Frame) -> Value:
     """``owner.__dict__.update(…)``: attributes of an object of the workspace are set; where it is not known which, none is known."""
     this = owner.cell.value if isinstance(owner, Pointer) else owner
-    pairs: dict[str, Value] | None = {}
-    for argument in args:
-        given = {argument.keyword: argument.value} if argument.keyword.isidentifier() else _pairs(argument.value)
-        is_known = given is not None and not argument.keyword.startswith("*")
-        pairs = {**pairs, **given} if pairs is not None and given is not None and is_known else None
+    given = [_given(argument) for argument in args]
+    pairs = None if None in given else {name: value for one in given if one for name, value in one.items()}
     if not isinstance(this, Object) or this.definition is None:
         return NONE
     for name, cell in list(this.fields.items()) if pairs is None else ():
@@ -107,6 +104,13 @@ def updated(walk: Walk, owner: Value, args: tuple[PassedArgument, ...], frame: F
     for name, value in (pairs or {}).items():
         assigned(walk, this, Known(name), value, frame)
     return NONE
+
+
+def _given(argument: PassedArgument) -> dict[str, Value] | None:
+    """The attributes that one argument of an update sets; None if they are not known."""
+    if argument.keyword.startswith("*"):
+        return None
+    return {argument.keyword: argument.value} if argument.keyword else _pairs(argument.value)
 
 
 def _pairs(value: Value) -> dict[str, Value] | None:

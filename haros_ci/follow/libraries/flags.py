@@ -32,19 +32,35 @@ def parsed(walk: Walk, frame: Frame, args: tuple[PassedArgument, ...]) -> Value:
     words = _words(args[1].value) if len(args) > 1 else None
     if words is None or any(not isinstance(word, Known) or str(word.value).startswith("-") for word in words):
         _left(walk, frame, args)
-    given = None if words is None else list(_given(words, {name: _kind(walk, frame, cells[name]) for name in cells}))
-    if given is None or any(name == f"{PREFIX}{FILE}" for name, _ in given):
-        given = [(name, None) for name in cells]
+    for name, value in _settings(walk, frame, words, cells):
+        if name in cells:
+            _set(walk, frame, cells[name], value)
+    return walk.opaque("how many words of the command line are no flags", frame)
+
+
+def _settings(
+    walk: Walk, frame: Frame, words: list[Value] | None, cells: dict[str, str]
+) -> list[tuple[str, Value | None]]:
+    """The variables among *cells* that are set, with their values, None for one that is not known."""
+    if words is None:
+        return [(name, None) for name in cells]
+    given = list(_given(words, {name: _kind(walk, frame, cells[name]) for name in cells}))
+    if any(name == f"{PREFIX}{FILE}" for name, _ in given):
+        return [(name, None) for name in cells]
     if not words:  # who starts it by hand gives what is empty
         given += [(name, None) for name in cells if _is_empty(walk, frame, cells[name])]
-    for name, value in given:
-        cell = lookup.named_cell(walk, frame, cells[name]) if name in cells else None
-        if cell is not None:
-            unknown = walk.opaque(WHY, frame, None, cell.type)
-            is_text = cell.type is not None and cell.type.name == "std::string"
-            read = value if value is None or is_text or value in (TRUE, FALSE) else numbers.of_text(value)
-            walk.state.write(cell, unknown if read is None else conversions.converted(read, cell.type))
-    return walk.opaque("how many words of the command line are no flags", frame)
+    return given
+
+
+def _set(walk: Walk, frame: Frame, name: str, value: Value | None) -> None:
+    """Give the variable *name* what a word says; None: it is not known."""
+    cell = lookup.named_cell(walk, frame, name)
+    if cell is None:
+        return
+    is_text = cell.type is not None and cell.type.name == "std::string"
+    read = value if value is None or is_text or value in (TRUE, FALSE) else numbers.of_text(value)
+    unknown = walk.opaque(WHY, frame, None, cell.type)
+    walk.state.write(cell, unknown if read is None else conversions.converted(read, cell.type))
 
 
 def _left(walk: Walk, frame: Frame, args: tuple[PassedArgument, ...]) -> None:
@@ -89,17 +105,23 @@ def _given(words: list[Value], kinds: dict[str, str]) -> Iterator[tuple[str, Val
             return
         if not text.startswith("-") or text.strip("-") == "":
             continue
-        name, sign, value = text.lstrip("-").partition("=")
-        full = PREFIX + name.replace("-", "_")
-        if sign:
-            yield (
-                full,
-                Known(value.lower() in ("1", "t", "true", "y", "yes")) if kinds.get(full) == "bool" else Known(value),
-            )
-        elif kinds.get(full) == "bool":
-            yield full, TRUE
-        elif name.startswith("no") and kinds.get(PREFIX + name[2:]) == "bool":
-            yield PREFIX + name[2:], FALSE
-        elif full in kinds and rest:
-            following = rest.pop(0)
-            yield full, following if isinstance(following, Known) else None
+        found = _flag(text, rest, kinds)
+        if found is not None:
+            yield found
+
+
+def _flag(text: str, rest: list[Value], kinds: dict[str, str]) -> tuple[str, Value | None] | None:
+    """What one word sets, perhaps with the first of the *rest*; None for a flag that is not there."""
+    name, sign, value = text.lstrip("-").partition("=")
+    full = PREFIX + name.replace("-", "_")
+    is_bool = kinds.get(full) == "bool"
+    if sign:
+        return full, Known(value.lower() in ("1", "t", "true", "y", "yes")) if is_bool else Known(value)
+    if is_bool:
+        return full, TRUE
+    if name.startswith("no") and kinds.get(PREFIX + name[2:]) == "bool":
+        return PREFIX + name[2:], FALSE
+    if full not in kinds or not rest:
+        return None
+    following = rest.pop(0)
+    return full, following if isinstance(following, Known) else None
