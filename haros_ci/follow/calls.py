@@ -14,6 +14,7 @@ from haros_ci.follow import (
     call_arguments,
     commands,
     construct,
+    dereferenced,
     dynamic,
     expressions,
     follow,
@@ -165,8 +166,9 @@ def method_call(  # noqa: C901 - one branch for each kind of receiver, in the or
             of_class = members.of_class(walk, receiver, name, frame) or members.given(walk, receiver, name, frame)
             if of_class is not None:
                 return apply(walk, frame, of_class, args, targs, location, syntax.Name(name))
-        found = library_calls.library_method(walk, frame, receiver, name, args, targs, location)
-        if found is not None:
+        if (led := dereferenced.led(walk, frame, receiver)) is not None:
+            return method_call(walk, frame, led, None, name, args, targs, location)
+        if (found := library_calls.library_method(walk, frame, receiver, name, args, targs, location)) is not None:
             return found
         of_node = outside_nodes.method(walk, frame, receiver, name, args, targs, location)
         if of_node is None:

@@ -10,6 +10,7 @@ from haros_ci.follow import (
     activation,
     bases,
     call_arguments,
+    dereferenced,
     enums,
     expressions,
     initialised,
@@ -76,6 +77,8 @@ def member(walk: Walk, value: Value, name: str, frame: Frame) -> Cell | None:
                     walk, where, f"{definition.name}{where.separator}{name}", declared.init, kind
                 )
             cell = value.fields[name] = Cell(walk.opaque(UNSET.format(name), frame, None, kind), kind)
+        elif (held := dereferenced.led(walk, frame, value)) is not None:
+            return member(walk, held, name, frame)
     return cell
 
 

@@ -19,6 +19,7 @@ from haros_ci.values.abstract import (
     Mapped,
     Object,
     Opaque,
+    Partial,
     Pointer,
     Sequence,
     Value,
@@ -43,6 +44,8 @@ def some_elements(
     if isinstance(value, Pointer):
         value = value.cell.value
     if isinstance(value, Sequence) and isinstance(value.content.value, Opaque):
+        if isinstance(value.content.value, Partial) and value.content.value.is_all:
+            return list(value.content.value.some), None
         return list(certain(value.content.value)), objects(value.content.value)
     if isinstance(value, ClassValue) and (every := enums.elements(walk, value)) is not None:
         return [*every], None

@@ -34,5 +34,41 @@ COMMON: dict[str, frozenset[str]] = {
         "tf2_msgs": "LookupTransformAction TF2Error TFMessage FrameGraph",
     }.items()
 }
+#: The same of packages of ros_control, navigation, gazebo_ros_pkgs and MoveIt, which Python modules are opened of.
+OPENED: dict[str, frozenset[str]] = COMMON | {
+    package: frozenset(names.split())
+    for package, names in {
+        "control_msgs": "FollowJointTrajectoryAction GripperCommandAction JointTrajectoryAction PointHeadAction"
+        " SingleJointPositionAction DynamicJointState GripperCommand InterfaceValue JointControllerState JointJog"
+        " JointTolerance JointTrajectoryControllerState PidState QueryCalibrationState QueryTrajectoryState",
+        "controller_manager_msgs": "ControllerState ControllerStatistics ControllersStatistics HardwareInterfaceResources ListControllerTypes"
+        " ListControllers LoadController ReloadControllerLibraries SwitchController UnloadController",
+        "move_base_msgs": "MoveBaseAction RecoveryStatus",
+        "map_msgs": "OccupancyGridUpdate PointCloud2Update ProjectedMap ProjectedMapInfo GetMapROI GetPointMap GetPointMapROI"
+        " ProjectedMapsInfo SaveMap SetMapProjections",
+        "gazebo_msgs": "ContactState ContactsState LinkState LinkStates ModelState ModelStates ODEJointProperties ODEPhysics"
+        " PerformanceMetrics SensorPerformanceMetric WorldState ApplyBodyWrench ApplyJointEffort BodyRequest"
+        " DeleteLight DeleteModel GetJointProperties GetLightProperties GetLinkProperties GetLinkState"
+        " GetModelProperties GetModelState GetPhysicsProperties GetWorldProperties JointRequest SetJointProperties"
+        " SetJointTrajectory SetLightProperties SetLinkProperties SetLinkState SetModelConfiguration SetModelState"
+        " SetPhysicsProperties SpawnModel",
+        "ackermann_msgs": "AckermannDrive AckermannDriveStamped",
+        "moveit_msgs": "ExecuteTrajectoryAction MoveGroupAction MoveGroupSequenceAction PickupAction PlaceAction"
+        " AllowedCollisionEntry AllowedCollisionMatrix AttachedCollisionObject BoundingVolume CartesianPoint"
+        " CartesianTrajectory CartesianTrajectoryPoint CollisionObject ConstraintEvalResult Constraints"
+        " ContactInformation CostSource DisplayRobotState DisplayTrajectory GenericTrajectory Grasp"
+        " GripperTranslation JointConstraint JointLimits KinematicSolverInfo LinkPadding LinkScale"
+        " MotionPlanDetailedResponse MotionPlanRequest MotionPlanResponse MotionSequenceItem MotionSequenceRequest"
+        " MotionSequenceResponse MoveItErrorCodes ObjectColor OrientationConstraint OrientedBoundingBox"
+        " PlaceLocation PlannerInterfaceDescription PlannerParams PlanningOptions PlanningScene"
+        " PlanningSceneComponents PlanningSceneWorld PositionConstraint PositionIKRequest RobotState"
+        " RobotTrajectory TrajectoryConstraints VisibilityConstraint WorkspaceParameters ApplyPlanningScene"
+        " ChangeControlDimensions ChangeDriftDimensions CheckIfRobotStateExistsInWarehouse"
+        " DeleteRobotStateFromWarehouse ExecuteKnownTrajectory GetCartesianPath GetMotionPlan GetMotionSequence"
+        " GetPlannerParams GetPlanningScene GetPositionFK GetPositionIK GetRobotStateFromWarehouse GetStateValidity"
+        " GraspPlanning ListRobotStatesInWarehouse LoadMap QueryPlannerInterfaces RenameRobotStateInWarehouse"
+        " SaveMap SaveRobotStateToWarehouse SetPlannerParams UpdatePointcloudOctomap",
+    }.items()
+}
 #: Constants of messages that are names in ROS 2 (bond/msg/Constants.msg).
 NAMES = {"bond::msg::Constants::DISABLE_HEARTBEAT_TIMEOUT_PARAM": "bond_disable_heartbeat_timeout"}

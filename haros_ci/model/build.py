@@ -215,6 +215,19 @@ class CMakeCommand:
         return tuple(found)
 
 
+#: Stands in a written file for a value that is not known.
+NOT_KNOWN = "\ue001"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class WrittenFile:
+    """XML that CMake writes of the file *template*: its *text*, found at the root-relative *path* once the package is built."""
+
+    path: str
+    template: str
+    text: str
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Build:
     """All of one package.
@@ -224,7 +237,7 @@ class Build:
     the macros that the build defines for C++, *flags* what CMAKE_CXX_FLAGS is, *are_flags_known* False where that depends on
     what only a build knows. *python_packages* are the import packages that setup.py names, *script_directories* are
     ``(develop or install, directory, line)`` of setup.cfg: where its programs are put. *commands* are those of CMake in the
-    order in which they run.
+    order in which they run. *written* are files that it makes of templates.
     """
 
     package: str
@@ -246,6 +259,7 @@ class Build:
     distribution: Distribution | None = None
     python_packages: tuple[tuple[str, Location], ...] = ()
     script_directories: tuple[tuple[str, str, int], ...] = ()
+    written: tuple[WrittenFile, ...] = ()
 
     def programs(self) -> set[str]:
         """The names by which ``rosrun`` and ``ros2 run`` start what the package builds or installs."""

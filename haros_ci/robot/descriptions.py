@@ -108,7 +108,7 @@ class Descriptions:
 
     def __post_init__(self) -> None:
         self.finder = Finder(self.workspace, self.builds)
-        self.sources = DescriptionSources(self.workspace, by_builds(self.finder))
+        self.sources = DescriptionSources(self.workspace, by_builds(self.finder), self.finder.written)
 
     def of_files(self) -> Iterator[Description]:
         """Each file that is a description by itself: no other includes it, and it names its robot or a launch file names it."""
@@ -198,10 +198,11 @@ class Descriptions:
     def _included(self) -> IncludedFiles:
         """The names of files that some xacro may include."""
         found = IncludedFiles()
-        for file in self.workspace.files:
-            if file.language != "xml" or "include" not in self.workspace.text(file.path):
+        files = (file.path for file in self.workspace.files if file.language == "xml")
+        for path in dict.fromkeys((*files, *self.finder.written)):
+            if "include" not in self.sources.text(path):
                 continue
-            root = self.sources.read(file.path)
+            root = self.sources.read(path)
             for node in () if root is None else root.walk():
                 name = node.attributes.get("filename")
                 if node.tag.endswith("include") and isinstance(name, str):

@@ -26,7 +26,7 @@ def by_builds(finder: Finder) -> Look:
 def found(finder: Finder, text: str) -> Located:
     """Where the path *text* of a launch file leads: below ``$(find pkg)``, ``$(find-pkg-share pkg)`` or ``$(workspace dir)``."""
     use = finder.completed(FileUse(location=_NOWHERE, kind="value", text=text))
-    if use.is_found:
+    if use.is_found or use.path in finder.written:
         return Located(use.path)
     return Located(None, use.is_found is False, use.similar)
 

@@ -9,8 +9,10 @@ import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 
+from haros_ci.model.build import NOT_KNOWN, WrittenFile
 from haros_ci.model.workspace import Problem, Workspace
 from haros_ci.robot.nodes import XmlNode, nodes_of
+from haros_ci.robot.unknown import UNKNOWN
 from haros_ci.workspace.xml import XmlError, parse_xml
 
 #: What ``$(find pkg)`` and the directory of a file become inside texts, so that they can be recognised again.
@@ -53,6 +55,8 @@ class DescriptionSources:
 
     workspace: Workspace
     look: Look
+    #: Files that builds write, by their paths.
+    written: Mapping[str, WrittenFile] = field(default_factory=dict)
     packages: Mapping[str, str] = field(init=False)
     names: frozenset[str] = field(init=False)
     #: What is left for all expansions together.
@@ -64,14 +68,16 @@ class DescriptionSources:
 
     def __post_init__(self) -> None:
         self.packages = {package.name: package.path for package in self.workspace.packages}
-        self.names = self.workspace.names | {file.path for file in self.workspace.files}
+        self.names = self.workspace.names | {file.path for file in self.workspace.files} | set(self.written)
 
     def read(self, path: str) -> XmlNode | None:
         """The root element of an XML file; None if it cannot be read, or is not for us."""
         if path not in self._nodes:
-            text = self.workspace.text(path)
-            self._nodes[path] = self.parsed(text, path)
-            if self._nodes[path] is None and "<robot" in text:
+            text = self.text(path)
+            made = self.written.get(path)
+            root = self.parsed(text, path if made is None else made.template)
+            self._nodes[path] = root if made is None or root is None else _with_unknowns(root)
+            if made is None and self._nodes[path] is None and "<robot" in text:
                 message, line = why_unread(text)
                 self.problems[path] = Problem(path, f"not read as a description of a robot: {message}", line)
         return self._nodes[path]
@@ -84,7 +90,8 @@ class DescriptionSources:
             return None
 
     def text(self, path: str) -> str:
-        return self.workspace.text(path)
+        """The text of a file as it is once the packages are built."""
+        return self.written[path].text if path in self.written else self.workspace.text(path)
 
     def locate(self, name: str, base: str) -> Located:
         """Where the file name *name*, as evaluated in the file *base*, leads."""
@@ -154,6 +161,17 @@ class DescriptionSources:
         if folder.startswith("/"):
             return None
         return posixpath.normpath(posixpath.join(posixpath.dirname(base), folder))
+
+
+def _with_unknowns(root: XmlNode) -> XmlNode:
+    """*root* with what is not known in a written file as what it is."""
+    for node in (root, *root.walk()):
+        for name, value in node.attributes.items():
+            if isinstance(value, str) and NOT_KNOWN in value:
+                node.attributes[name] = UNKNOWN
+        if isinstance(node.text, str) and NOT_KNOWN in node.text:
+            node.text = UNKNOWN
+    return root
 
 
 def by_names(workspace: Workspace) -> Look:

@@ -74,14 +74,14 @@ class Opaque:
 
 @dataclass(frozen=True, slots=True)
 class Partial(Opaque):
-    """The content of a sequence that is not known but for *some* cells, which are elements of it for sure.
+    """The content of a sequence of which *some* cells are elements for sure, and each of the *others* on some paths.
 
-    Of the *others* each is an element on some paths. *last* is the last element, where that is known.
-    """
+    *last* is the last element, where that is known. With *is_all* there are but *some*, in any order."""
 
     some: tuple[Cell, ...] = ()
     others: tuple[Cell, ...] = ()
     last: Cell | None = None
+    is_all: bool = False
 
 
 @dataclass(frozen=True, slots=True)

@@ -18,6 +18,7 @@ from haros_ci.model.faults import FAULTS, fault
 from haros_ci.model.package import Package
 from haros_ci.model.workspace import Problem, Workspace
 from haros_ci.workspace.cmake import follow
+from haros_ci.workspace.cmake_configured import written_files
 from haros_ci.workspace.cmake_state import MAX_MESSAGE, MAX_PROBLEMS, CMakeState, CMakeTarget
 from haros_ci.workspace.cmake_targets import FLAG
 from haros_ci.workspace.cmake_words import MAYBE, written
@@ -93,6 +94,7 @@ def build_of(workspace: Workspace, package: Package, tree: PathTree | None = Non
         parameter_libraries=_parameter_libraries(tree, package, state, setup),
         problems=tuple(sorted(set(problems), key=lambda p: (p.path, p.line or 0, p.message))),
         commands=tuple(state.commands),
+        written=written_files(state),
         python_packages=setup.packages,
         script_directories=tuple(
             (section, *place)

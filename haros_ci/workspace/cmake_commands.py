@@ -8,6 +8,7 @@ from types import MappingProxyType
 
 from haros_ci.model.digits import whole_number
 from haros_ci.workspace.cmake_ament import AMENT_COMMANDS
+from haros_ci.workspace.cmake_configured import CONFIGURING
 from haros_ci.workspace.cmake_files import FILE_COMMANDS
 from haros_ci.workspace.cmake_install import INSTALL_COMMANDS
 from haros_ci.workspace.cmake_keywords import under
@@ -236,6 +237,7 @@ COMMANDS: Mapping[str, _Run] = MappingProxyType(
         **dict.fromkeys(("check_library_exists", "check_c_source_compiles", "check_cxx_symbol_exists"), _last_unknown),
         **dict.fromkeys(("execute_process", "cmake_host_system_information"), _outputs_unknown),
         **FILE_COMMANDS,
+        **CONFIGURING,
         **TARGET_COMMANDS,
         **AMENT_COMMANDS,
         **INSTALL_COMMANDS,

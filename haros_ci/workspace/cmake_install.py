@@ -7,6 +7,7 @@ import re
 from collections.abc import Callable, Mapping
 from types import MappingProxyType
 
+from haros_ci.workspace.cmake_configured import install_made
 from haros_ci.workspace.cmake_keywords import under
 from haros_ci.workspace.cmake_state import CMakeState, EvaluatedCommand
 from haros_ci.workspace.cmake_words import bare, inside, is_certain, join_list, place, readable, split_list
@@ -53,6 +54,7 @@ def install_files(state: CMakeState, call: EvaluatedCommand, kind: str, words: l
             continue
         path = inside(place(element, state.source_directory()))
         if path is None:
+            install_made(state, element, kind, destination, readable(renamed))
             continue
         base = path.rpartition("/")[2]
         if kind == "directory":

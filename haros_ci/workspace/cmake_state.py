@@ -90,6 +90,14 @@ class EvaluatedCommand:
     command: ParsedCommand
 
 
+@dataclass(frozen=True, slots=True)
+class InstalledLater:
+    """A file or directory of the build tree, *source*, that is installed as *path* below the prefix."""
+
+    source: str
+    path: str
+
+
 Entry = tuple[dict[str, str | None], str, str | None]
 
 
@@ -108,6 +116,9 @@ class CMakeState:
         self.functions: dict[str, tuple[ParsedCommand, str]] = {}
         self.targets: dict[str, CMakeTarget] = {}
         self.installed: dict[tuple[str, str, str, str], Location] = {}
+        #: By the place of what configure_file() writes: the template, and the text, None where it is not known.
+        self.configured: dict[str, tuple[str, str | None]] = {}
+        self.installed_later: dict[InstalledLater, None] = {}
         self.plugin_files: dict[str, Location] = {}
         self.noted: set[str] = set()
         self.components: list[tuple[str, str, Location]] = []

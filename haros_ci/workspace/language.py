@@ -46,6 +46,10 @@ _SHEBANG = re.compile(
 )
 
 
+#: Templates of which CMake writes descriptions: the ending of what is written, perhaps a word, and that of a template.
+_DESCRIPTION = re.compile(r".+\.(?:urdf|xacro|sdf|world|gazebo|model|xml)(?:\.\w{1,30})?\.(?:in|cmake|template|tmpl)")
+
+
 _KEPT = re.compile(r".+(?:\.(?:bak|backup|old|orig|rej|sav|save|swp|tmp)[\d_-]{0,20}|~)", re.IGNORECASE)
 
 
@@ -61,6 +65,11 @@ def language_of(name: str) -> str | None:
 def sets_environment(name: str) -> bool:
     """Whether a file called *name* may set environment variables, as data that no tool reads."""
     return _ENVIRONMENT.fullmatch(name) is not None
+
+
+def describes(name: str) -> bool:
+    """Whether a file called *name* is a template of a description of robots or worlds, as data that no tool reads."""
+    return _DESCRIPTION.fullmatch(name) is not None
 
 
 def suffix_of(name: str) -> str:

@@ -9,7 +9,7 @@ from typing import Protocol
 
 from haros_ci.model.package import OTHER
 from haros_ci.workspace.excludes import Excludes
-from haros_ci.workspace.language import language_of, sets_environment
+from haros_ci.workspace.language import describes, language_of, sets_environment
 
 Also = Callable[[str], bool]
 
@@ -128,7 +128,7 @@ def select(
             within[directory] = scope.given(directory) is not None
         if (within[directory] or path in named) and is_kept(directory) and not excludes.match(path, is_directory=False):
             language = language_of(name)
-            is_read = sets_environment(name) or (also is not None and also(path))
+            is_read = sets_environment(name) or describes(name) or (also is not None and also(path))
             fallback = OTHER if language is None and is_read else None
             chosen.append(CandidatePath(path, language, fallback))
     return chosen

@@ -23,6 +23,7 @@ class PathTree:
         self.workspace = workspace
         self.paths = sorted(workspace.names.union(file.path for file in workspace.files))
         self.files = frozenset(self.paths)
+        self.listed = frozenset(file.path for file in workspace.files)
         directories = {"."}
         for path in self.paths:
             directory = path.rpartition("/")[0]

@@ -524,10 +524,6 @@ DEFECTS = (
         "keyword arguments that are unpacked do not reach parameters with a default (activation.bind)",
     )
     | because(
-        "what is assigned to a class's or module's attribute is lost (assignments._target)",
-        "attributes from keywords",
-    )
-    | because(
         "globals(), __dict__, vars() and exec change nothing",
         "globals()",
         "exec",
@@ -612,6 +608,33 @@ def test_types(before: str, kind: str, expected: str | None, request: pytest.Fix
     if before in DEFECTS:
         request.applymarker(pytest.mark.xfail(strict=True, reason=DEFECTS[before]))
     assert types(python(f'{before}\nrospy.Publisher("a", {kind}, queue_size=1)\n')) == [("/a", expected)]
+
+
+OPENED = "from std_msgs.msg import *\nfrom control_msgs.msg import *\nfrom a_srvs.srv import *\nfrom tf.transformations import *\n"
+#: What is open, how an endpoint is made, and its type: of services those of modules of services count alone.
+OPENED_TYPES = (
+    (OPENED, 'rospy.ServiceProxy("a", Switch)', "a_srvs/Switch"),
+    (OPENED, 'rospy.Service("a", Switch, take)', "a_srvs/Switch"),
+    (OPENED, 'rospy.Publisher("a", JointJog, queue_size=1)', "control_msgs/JointJog"),
+    (OPENED + "from a_msgs.msg import *\n", 'rospy.Publisher("a", Thing, queue_size=1)', "a_msgs/Thing"),
+    (OPENED + "from a_msgs.msg import *\n", 'rospy.Publisher("a", JointJog, queue_size=1)', "control_msgs/JointJog"),
+    (OPENED + "import actionlib\n", 'actionlib.SimpleActionClient("a", FollowJointTrajectoryAction)', "control_msgs/FollowJointTrajectory"),
+    ("from nav_msgs.srv import *\nfrom a_srvs.srv import *\n", 'rospy.ServiceProxy("a", GetMap)', "nav_msgs/GetMap"),
+    # Not known: of none, of two, of another module, or by way of a variable.
+    (OPENED, 'rospy.Publisher("a", switch, queue_size=1)', None),
+    (OPENED + "from b_srvs.srv import *\n", 'rospy.ServiceProxy("a", Switch)', None),
+    (OPENED + "from a_msgs.msg import *\nfrom b_msgs.msg import *\n", 'rospy.Publisher("a", Thing, queue_size=1)', None),
+    ("from std_msgs.msg import *\n", 'rospy.ServiceProxy("a", Switch)', None),
+    ("from elsewhere import *\n", 'rospy.ServiceProxy("a", Switch)', None),
+    (OPENED + "from b_srvs.srv import *\ndef make(kind):\n    rospy.ServiceProxy('a', kind)\n", "make(Switch)", None),
+)  # fmt: skip
+
+
+@pytest.mark.parametrize(("before", "code", "expected"), OPENED_TYPES)
+def test_types_of_modules_with_all_their_names(before: str, code: str, expected: str | None) -> None:
+    found = python(f"{before}\ndef take(request):\n    pass\n{code}\n")
+    (end,) = (end for end in found.endpoints if not end.implicit)
+    assert (end.name, end.type) == ("/a", expected)
 
 
 #: rospy.Publisher's arguments, its queue size and whether it is latched.

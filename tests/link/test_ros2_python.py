@@ -687,3 +687,22 @@ def test_a_node_that_may_read_what_it_does_not_declare() -> None:
         "class N(Node):\n    def __init__(self):\n" + "".join(f"        {line}\n" for line in body.splitlines()),
     )
     assert [end.name for end in explicit(found.nodes[0], "getters")] == ["/s/n:s?"]
+
+
+@pytest.mark.parametrize(
+    ("head", "body", "expected"),
+    [
+        ("from a_msgs.action import *\nfrom a_msgs.msg import *\n", "ActionClient(self, Move, 'a')", "a_msgs/action/Move"),
+        ("from a_msgs.srv import *\nfrom std_msgs.msg import *\n", "self.create_client(Switch, 'a')", "a_msgs/srv/Switch"),
+        ("from a_msgs.srv import *\nfrom b_msgs.msg import *\n", "self.create_publisher(Thing, 'a', 1)", "b_msgs/msg/Thing"),
+        ("from gazebo_msgs.srv import *\n", "self.create_client(SpawnEntity, 'a')", "gazebo_msgs/srv/SpawnEntity"),
+        # Of two, or of none.
+        ("from a_msgs.action import *\nfrom b_msgs.action import *\n", "ActionClient(self, Move, 'a')", None),
+        ("from a_msgs.srv import *\nfrom b_msgs.srv import *\n", "self.create_client(Switch, 'a')", None),
+        ("from a_msgs.msg import *\nfrom b_msgs.msg import *\n", "self.create_publisher(Thing, 'a', 1)", None),
+        ("from elsewhere import *\n", "self.create_publisher(Thing, 'a', 1)", None),
+    ],
+)  # fmt: skip
+def test_types_of_modules_with_all_their_names(head: str, body: str, expected: str | None) -> None:
+    made = node(body, head=f"from rclpy.action import ActionClient\n{head}")
+    assert [end.type for end in made.endpoints if end.name == "/s/a"] == [expected]

@@ -276,3 +276,39 @@ def test_the_node_of_a_plugin_in_ros2(given: str, expected: tuple[str, list[str]
     (made,) = follow({"p/CMakeLists.txt": cmake, "p/src/eye.cpp": CLASSIC2 % given}, ros=2).configurations
     assert made.name == ALONE
     assert [(node.name, [e.name for e in explicit(node)]) for node in made.nodes] == [expected]
+
+
+WRITTEN = CMAKE + (
+    'set(TOPIC front)\nset(USES "<xacro:eye/>\\n")\n'
+    "configure_file(urdf/eyes.in.xacro ${PROJECT_SOURCE_DIR}/urdf/eyes.xacro @ONLY)\n"
+)
+EYES = '<robot xmlns:xacro="http://ros.org/xacro"><xacro:macro name="eye">' + USE + "</xacro:macro>\n@USES@\n</robot>"
+
+
+def written(inner: str, cmake: str = WRITTEN) -> dict[str, Configuration]:
+    """With a description that CMake writes, included by the robot's."""
+    code = plugin(TOPIC + "ros::NodeHandle nh; nh." + PUB.format("topic"))
+    files = texts(code, '<xacro:include filename="$(find p)/urdf/eyes.xacro"/>', cmake=cmake)
+    found = architecture(
+        workspace({**files, "p/urdf/eyes.in.xacro": EYES.format(inner)}),
+        Settings(root=Path("/nowhere")),
+        Nothing(),
+        environment={},
+        known_nodes=True,
+    )
+    return {each.name: each for each in found.configurations}
+
+
+def test_a_description_that_cmake_writes() -> None:
+    for inner, name in (("", "/scan"), ("<topic>@TOPIC@</topic>", "/front"), ("<topic>${TOPIC}</topic>", "/?")):
+        (node,) = (each for each in written(inner)["p/launch/l.launch"].nodes if each.name == "/gazebo")
+        assert of_code(node) == [name]
+
+
+def test_what_of_a_written_description_is_not_known() -> None:
+    found = written("<topic>@OTHER@</topic>")["p/launch/l.launch"]
+    assert [of_code(node) for node in found.nodes if node.name == "/gazebo"] == [["/?"]]
+    for cmake in (CMAKE, f"{CMAKE}if(X_FOUND)\n{WRITTEN.removeprefix(CMAKE)}endif()\n"):  # not written, or not surely
+        alone = written("", cmake)
+        assert [of_code(node) for node in alone["p/launch/l.launch"].nodes if node.name == "/gazebo"] == [[]]
+        assert "p/eye (plug-ins)" in alone

@@ -184,9 +184,13 @@ UNKNOWN = (
         'std::string s = "A"; std::transform(s.begin(), s.end(), s.begin(), ::tolower); ADV(s, 1);',
         "/a",
     ),
-    case("std::sort", 'std::vector<std::string> v = {"b", "a"}; std::sort(v.begin(), v.end()); ADV(v[0], 1);', "/?"),
     case(
-        "std::reverse", 'std::vector<std::string> v = {"b", "a"}; std::reverse(v.begin(), v.end()); ADV(v[0], 1);', "/?"
+        "std::sort", 'std::vector<std::string> v = {"b", "a"}; std::sort(v.begin(), v.end(), less); ADV(v[0], 1);', "/?"
+    ),
+    case(
+        "std::shuffle",
+        'std::vector<std::string> v = {"b", "a"}; std::shuffle(v.begin(), v.end(), g); ADV(v[0], 1);',
+        "/?",
     ),
     case("sprintf", 'char s[9] = "a"; sprintf(s, "b%d", number()); ADV(s, 1);', "/b?"),
     case("std::snprintf", 'char s[9] = "a"; std::snprintf(s, 9, "b%d", number()); ADV(s, 1);', "/b?"),

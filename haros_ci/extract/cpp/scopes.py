@@ -9,7 +9,7 @@ from collections.abc import Callable
 from tree_sitter import Node
 
 from haros_ci import syntax
-from haros_ci.extract.cpp import declarations, functions, preprocessor, types
+from haros_ci.extract.cpp import declarations, flags, functions, preprocessor, types
 from haros_ci.extract.cpp.grammar import ERROR, field, kinds, table
 from haros_ci.extract.cpp.unit import DEEPEST, TOO_DEEP, CppScope, Unit
 from haros_ci.syntax import Alias, Field
@@ -233,11 +233,9 @@ def _registration(unit: Unit, node: Node, scope: CppScope, depth: int) -> None:
     function, argument = call.child_by_field_id(_FUNCTION), call.child_by_field_id(_ARGUMENTS)
     if function is None or argument is None or function.kind_id not in _IDENTIFIER:
         return
-    texts = tuple(
-        unit.collapsed(child.start_byte, child.end_byte)
-        for child in argument.children
-        if child.is_named and child.kind_id != ERROR
-    )
+    written = [child for child in argument.children if child.is_named and child.kind_id != ERROR]
+    texts = tuple(unit.collapsed(child.start_byte, child.end_byte) for child in written)
+    flags.define(unit, unit.cut(function), written, scope, depth)
     unit.found.registered.append((unit.cut(function), texts, *unit.position(call)))
 
 

@@ -171,12 +171,24 @@ def _set_by_name(node: ast.Call, scope: PythonScope, depth: int) -> Expression |
     return syntax.Assignment("=", target, expression(node.args[2], scope, depth))
 
 
+def _updated(node: ast.Call) -> ast.expr | None:
+    """The object whose attributes ``x.__dict__.update(…)`` or ``vars(x).update(…)`` sets; None of any other call."""
+    if not isinstance(node.func, ast.Attribute) or node.func.attr != "update":
+        return None
+    of = node.func.value
+    if isinstance(of, ast.Attribute) and of.attr == "__dict__":
+        return of.value
+    is_vars = isinstance(of, ast.Call) and isinstance(of.func, ast.Name) and of.func.id == "vars"
+    return of.args[0] if is_vars and isinstance(of, ast.Call) and len(of.args) == 1 and not of.keywords else None
+
+
 def _call(node: ast.Call, scope: PythonScope, depth: int) -> Expression:
     written = _set_by_name(node, scope, depth)
     if written is not None:
         return written
-    callee = expression(node.func, scope, depth)
-    arguments = [expression(item, scope, depth) for item in node.args]
+    owner = _updated(node)
+    callee = expression(node.func, scope, depth) if owner is None else syntax.Name("[update]")
+    arguments = [expression(item, scope, depth) for item in (*([] if owner is None else [owner]), *node.args)]
     for keyword in node.keywords:
         value = expression(keyword.value, scope, depth)
         arguments.append(syntax.Keyword(keyword.arg, value) if keyword.arg else syntax.DoubleStar(value))

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 from haros_ci.follow import activation, call_arguments
 from haros_ci.follow.frames import Frame
-from haros_ci.follow.libraries import splits
+from haros_ci.follow.libraries import arranging, splits
 from haros_ci.follow.walk import Walk
 from haros_ci.values import iterators
 from haros_ci.values.abstract import (
@@ -48,9 +48,9 @@ def rewritten(walk: Walk, name: str, args: tuple[PassedArgument, ...]) -> Value 
     """What the function returns, with its text argument rewritten; None if that is not known."""
     if name in ("std::replace", "std::transform") and len(args) == 4:
         return _ranged(walk, name, args)
-    parted = splits.called(walk, name, args)
-    if parted is not None:
-        return parted
+    known = splits.called(walk, name, args) or arranging.called(walk, name, args)
+    if known is not None:
+        return known
     tail = next((name[len(space) :] for space in reversed(BOOST) if name.startswith(space)), "")
     words = [argument.value for argument in args[1:]]
     if not args or not all(isinstance(word, Known) and issubclass(word.kind, str) for word in words):

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from functools import reduce
+from typing import TYPE_CHECKING
 
 from haros_ci.follow import comprehensions, members, methods
 from haros_ci.follow.frames import Frame
@@ -15,6 +16,7 @@ from haros_ci.values.abstract import (
     Cell,
     ClassValue,
     Known,
+    Mapped,
     Object,
     Pointer,
     Sequence,
@@ -23,12 +25,17 @@ from haros_ci.values.abstract import (
     join,
 )
 
+if TYPE_CHECKING:
+    from haros_ci.follow.call_arguments import PassedArgument
+
 #: Methods of one object that a name that is known in part may mean.
 MOST = 50
 #: Classes that a class is derived from.
 DEEP = 100
 #: Why an attribute that ``setattr`` makes is not known on the paths that do not come there.
 UNSET = "it is not set before"
+#: What stands for ``x.__dict__.update`` and ``vars(x).update``, and why an attribute is not known after it.
+UPDATE, UPDATED = "[update]", "it may be one of attributes that are not known"
 #: The function, and what of it keeps methods alone (docs.python.org/3/library/inspect.html#inspect.getmembers).
 MEMBERS = "inspect.getmembers"
 FUNCTIONS = frozenset(("inspect.ismethod", "inspect.isfunction", "inspect.isroutine", "callable"))
@@ -82,6 +89,39 @@ def assigned(walk: Walk, owner: Value, name: Value, value: Value, frame: Frame) 
         cell = this.fields[text] = Cell(walk.opaque(UNSET, frame))
     walk.state.write(cell, value)
     return NONE
+
+
+def updated(walk: Walk, owner: Value, args: tuple[PassedArgument, ...], frame: Frame) -> Value:
+    """``owner.__dict__.update(…)``: attributes of an object of the workspace are set; where it is not known which, none is known."""
+    this = owner.cell.value if isinstance(owner, Pointer) else owner
+    given = [_given(argument) for argument in args]
+    pairs = None if None in given else {name: value for one in given if one for name, value in one.items()}
+    if not isinstance(this, Object) or this.definition is None:
+        return NONE
+    for name, cell in list(this.fields.items()) if pairs is None else ():
+        if isinstance(cell.value, (Known, Text)) and name.isidentifier():
+            walk.state.write(cell, walk.opaque(UPDATED, frame, None, cell.type))
+    for name, value in (pairs or {}).items():
+        assigned(walk, this, Known(name), value, frame)
+    return NONE
+
+
+def _given(argument: PassedArgument) -> dict[str, Value] | None:
+    """The attributes that one argument of an update sets; None if they are not known."""
+    if argument.keyword.startswith("*"):
+        return None
+    return {argument.keyword: argument.value} if argument.keyword else _pairs(argument.value)
+
+
+def _pairs(value: Value) -> dict[str, Value] | None:
+    """The entries of a dictionary with texts for keys; None if they are not known."""
+    if isinstance(value, Mapped) and isinstance(value.content.value, dict):
+        entries: dict[object, Value] = {key: cell.value for key, cell in value.content.value.items()}
+    elif isinstance(value, Known) and isinstance(value.value, dict):
+        entries = {key: Known(item) for key, item in value.value.items()}
+    else:
+        return None
+    return {str(key): item for key, item in entries.items()} if all(isinstance(key, str) for key in entries) else None
 
 
 def _names(walk: Walk, value: Value) -> list[str] | None:

@@ -12,6 +12,7 @@ from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import (
     algorithms,
     cpp_data,
+    flags,
     formats,
     given_away,
     moves,
@@ -135,10 +136,9 @@ def function(  # noqa: C901 - one branch for each modelled function
         return library_xml.directory(walk, args[0].value)
     if name == "std::make_pair" and len(args) == 2:
         return instance(walk, frame, Type("std::pair"), args)
-    if name.startswith(("std::", "boost::", "mrpt::")):
-        text = algorithms.rewritten(walk, name, args)
-        if text is not None:
-            return text
+    is_common = name.startswith(("std::", "boost::", "mrpt::"))
+    if is_common and (text := algorithms.rewritten(walk, name, args)) is not None:
+        return text
     if name in MAKERS:
         if name.endswith("_ptr"):
             return args[0].value if args else NONE
@@ -165,12 +165,13 @@ def function(  # noqa: C901 - one branch for each modelled function
         return Known(f"$(find {args[0].value.value})")
     if name in ("ros::names::append", "ros::names::parentNamespace"):
         return concatenate((args[0].value, Known("/"), args[1].value)) if len(args) == 2 else None
-    if name == "YAML::LoadFile" and args:
-        return library_yaml.yaml_file(walk, args[0].value)
-    if name in ("YAML::Load", "YAML::LoadAll") and args:
-        return library_yaml.yaml_stream(walk, args[0].value)
+    if name in ("YAML::LoadFile", "YAML::Load", "YAML::LoadAll") and args:
+        read = library_yaml.yaml_file if name == "YAML::LoadFile" else library_yaml.yaml_stream
+        return read(walk, args[0].value)
     if name in patterns.NAMES:
         return patterns.matched(args)
+    if name in flags.PARSING:
+        return flags.parsed(walk, frame, args)
     if name in ("std::find_if", "std::find") and args:
         return algorithms.found(walk, frame, args)
     if name in ("std::getline",) and len(args) >= 2 and args[1].cell is not None:

@@ -14,6 +14,7 @@ from haros_ci.follow.libraries import (
 from haros_ci.follow.libraries import (
     attribute_names,
     formats,
+    made_classes,
     partly_texts,
     python_kinds,
     python_lists,
@@ -142,6 +143,8 @@ def function(walk: Walk, frame: Frame, name: str, args: tuple[PassedArgument, ..
         return Object("rospkg.RosPack")
     if name == "roslib.packages.get_pkg_dir":
         return Known(f"$(find {first.value})") if isinstance(first, Known) else None
+    if (made_class := made_classes.called(walk, frame, name, args)) is not None:
+        return made_class
     if name == "functools.partial" and first is not None:
         return partials.partial(first, args[1:])
     if name == "type" and len(args) == 1 and isinstance(first, Object) and first.definition is not None:
@@ -166,6 +169,8 @@ def function(walk: Walk, frame: Frame, name: str, args: tuple[PassedArgument, ..
         return attribute_names.possible(walk, first, args[1].value, tuple(a.value for a in args[2:]), frame)
     if name == "setattr" and len(args) == 3 and first is not None:
         return attribute_names.assigned(walk, first, args[1].value, args[2].value, frame)
+    if name == attribute_names.UPDATE and first is not None:
+        return attribute_names.updated(walk, first, args[1:], frame)
     if name == "callable" and isinstance(first, (Callable, ClassValue, Known, Text, Sequence, Mapped)):
         return Known(isinstance(first, (Callable, ClassValue)))
     if name == "dir" and len(args) == 1 and first is not None:

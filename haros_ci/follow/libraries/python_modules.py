@@ -8,9 +8,11 @@ import sys
 from collections.abc import Iterable
 
 from haros_ci.follow import lookup
+from haros_ci.follow.frames import Frame
 from haros_ci.follow.walk import Walk
-from haros_ci.index.common_messages import COMMON
+from haros_ci.index.common_messages import COMMON, OPENED
 from haros_ci.index.index import Source
+from haros_ci.syntax import Type
 from haros_ci.values.abstract import Library, Module, Value
 
 #: Modules of a ROS package that are generated: a script of the package's own name is not meant by what is imported of them.
@@ -135,24 +137,45 @@ def _libraries(walk: Walk) -> frozenset[str]:
     return known
 
 
-def starred(walk: Walk, source: Source, name: str) -> str | None:
-    """The message type that ``from pkg.msg import *`` brings in: defined in the workspace, or else by the one package outside."""
+def starred(walk: Walk, source: Source, name: str, only: str = "") -> str | None:
+    """The message type that ``from pkg.msg import *`` brings in: defined in the workspace, or else by the one package outside.
+
+    With *only* it is known to be one of modules of that kind: ``msg``, ``srv`` or ``action``.
+    """
     outside = []
+    complete = OPENED if walk.context.process is None else COMMON
     for alias in reversed(source.program.aliases):  # of several the last counts
         module = alias.type.name.removesuffix(".*")
         package, _, kind = module.rpartition(".")
         whole = f"{module}.{name}"
         if alias.name == "*" and (whole in walk.rows or passed_on(whole) != whole):
             return passed_on(whole)
-        if alias.name != "*" or kind not in ("msg", "srv"):
+        if alias.name != "*" or kind not in ("msg", "srv", "action") or (only and kind != only):
             continue
         if f"{package}/{name}" in walk.index.interfaces or _of_action(walk, package, name):
             return f"{module}.{name}"
-        if name in COMMON.get(package, ()):
+        if package in walk.index.packages:
+            continue
+        if not OPENED.get(package, frozenset()).isdisjoint((name, f"{name}Action" if kind == "action" else name)):
             return f"{module}.{name}"
-        if package not in walk.index.packages and package not in COMMON:
+        if package not in complete:
             outside.append(f"{module}.{name}")
     return outside[0] if len(outside) == 1 and name[:1].isupper() else None
+
+
+def opened(walk: Walk, frame: Frame, kind: Type, of: str) -> Type:
+    """The type of an endpoint of the kind *of*, by its full name where modules with all their names bring it: services from ``pkg.srv``, actions of ROS 2 from ``pkg.action``, else ``pkg.msg``.
+
+    One that a variable holds may be of another module.
+    """
+    name = kind.name
+    if not name.isidentifier() or frame.source.separator != ".":
+        return kind
+    if any(cell.value == Library(name) for scope in frame.scopes for cell in scope.values()):
+        return kind
+    of_actions = starred(walk, frame.source, name, "action") if of.startswith("action_") else None
+    found = of_actions or starred(walk, frame.source, name, "srv" if of in ("servers", "clients") else "msg")
+    return kind if found is None else Type(found)
 
 
 def _of_action(walk: Walk, package: str, name: str) -> bool:

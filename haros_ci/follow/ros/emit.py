@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from haros_ci import syntax
 from haros_ci.follow import thrown
+from haros_ci.follow.libraries import python_modules
 from haros_ci.follow.made import MadeEntity, make
 from haros_ci.follow.ros import own_name, paces, ros2_emit
 from haros_ci.follow.ros.ends import UNNAMED
@@ -226,7 +227,9 @@ def interface_type(applied: Applied, entry: Entry, unknowns: Unknowns) -> str | 
         found = TypeValue(syntax.Type(found.name))
     is_ros2 = applied.walk.context.process is not None
     if isinstance(found, TypeValue):
-        found = TypeValue(_meant(applied.walk, found.type))
+        found = TypeValue(
+            _meant(applied.walk, python_modules.opened(applied.walk, applied.frame, found.type, entry.kind))
+        )
         result = ros2_type(found.type) if is_ros2 else message_type(found.type)
         if result is not None and not is_ros2 and not _is_interface(applied, found.type, result):
             result = None

@@ -9,7 +9,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from itertools import islice
 
-from haros_ci.model.build import Build, Installed
+from haros_ci.model.build import Build, Installed, WrittenFile
 from haros_ci.model.launch_facts import FileUse
 from haros_ci.model.program_words import before_return
 from haros_ci.model.similar_files import similar_files
@@ -46,6 +46,8 @@ class Finder:
     directories: frozenset[str] = field(init=False)
     #: Submodules that are not checked out.
     absent: frozenset[str] = field(init=False)
+    #: Files that builds write, by their paths.
+    written: Mapping[str, WrittenFile] = field(init=False)
     #: Steps that are left: when they are used up, nothing more is said to be missing.
     steps: int = MAX_STEPS
     _doubled: frozenset[str] = field(init=False)
@@ -62,6 +64,7 @@ class Finder:
                 directories.add(path)
         self.directories = frozenset(directories)
         self.absent = absent(self.workspace)
+        self.written = {made.path: made for build in self.builds.values() for made in build.written}
         every = [package.name for package in self.workspace.packages]
         self._doubled = frozenset(name for name in every if every.count(name) > 1)
 

@@ -53,7 +53,7 @@ class DescriptionTrees:
     @property
     def sources(self) -> DescriptionSources:
         if self._sources is None:
-            self._sources = DescriptionSources(self.workspace, by_builds(self.finder))
+            self._sources = DescriptionSources(self.workspace, by_builds(self.finder), self.finder.written)
         return self._sources
 
     def of_command(self, command: str, environment: Mapping[str, str]) -> DescriptionTree:
