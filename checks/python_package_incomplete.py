@@ -36,6 +36,8 @@ def check(project: Project) -> Iterator[Finding]:
             yield from _directories(package, launched)
             yield from _marker(package)
             yield from _packages(package)
+        elif package.build.python_roots:
+            yield from _lost_by_scripts(package, launched)
 
 
 def _entry_points(package: ProjectPackage) -> Iterator[Finding]:
@@ -67,14 +69,29 @@ def _lost_imports(package: ProjectPackage) -> Iterator[Finding]:
     own = OwnModules(package, package.project.sources)
     for entry_point in package.build.entry_points if package.ros == 2 else ():
         for lost in own.lost(entry_point) if entry_point.path else ():
-            what = f"{lost.name} from {lost.module}" if lost.name else lost.module
-            yield Finding(
-                at=lost.location,
-                message=f"program {entry_point.name} of package {package.name} cannot start: it imports {what}, {_why(lost)}",
-                about=(package.name, *filter(None, (lost.module, lost.name))),
-                related=((entry_point.location, f"the program {entry_point.name}"),),
-                apart=(lost.location.path, *filter(None, (lost.module, lost.name))),
-            )
+            yield _lost(lost, entry_point.name, entry_point.location, package)
+
+
+def _lost_by_scripts(package: ProjectPackage, launched: set[tuple[str, str]]) -> Iterator[Finding]:
+    """The same of scripts that CMake installs, or that a launch file starts."""
+    own = OwnModules(package, package.project.sources)
+    installed = {one.path: one.location for one in package.build.installed if one.kind == "program"}
+    for path in package.build.scripts:
+        name = path.rpartition("/")[2]
+        if path in installed or (package.name, name) in launched:
+            for lost in own.lost_by_script(path):
+                yield _lost(lost, name, installed.get(path, Location(path, 1)), package)
+
+
+def _lost(lost: LostImport, program: str, place: Location, package: ProjectPackage) -> Finding:
+    what = f"{lost.name} from {lost.module}" if lost.name else lost.module
+    return Finding(
+        at=lost.location,
+        message=f"program {program} of package {package.name} cannot start: it imports {what}, {_why(lost)}",
+        about=(package.name, *filter(None, (lost.module, lost.name))),
+        related=((place, f"the program {program}"),),
+        apart=(lost.location.path, *filter(None, (lost.module, lost.name))),
+    )
 
 
 def _why(lost: LostImport) -> str:

@@ -43,6 +43,11 @@ _DATA = (
     ".bak",
     ".orig",
 )
+#: How CMake or setup.py says that a build makes modules of C or C++, under names that may stand in no file of the package's own.
+_EXTENSIONS = re.compile(
+    r"pybind11|nanobind|swig|cython|cffi|python\d?_add_\w+|python\d?libs|boost\W{1,40}(?:\w+\W{1,9}){0,20}python|python\d?\W[^()]{0,200}\bdevelopment\b|ext_modules|\bextension\b",
+    re.IGNORECASE,
+)
 #: Longer files are not looked at, nor more files of one program.
 MAX_TEXT = 300_000
 MAX_FILES = 500
@@ -72,9 +77,42 @@ class OwnModules:
         Nothing where a file changes where Python searches, or where what is missing may be made or installed in another way.
         """
         folder = _top(entry_point)
-        if folder is None or len(self.sources.modules.get(_name(folder), ())) > 1:
+        if folder is not None and len(self.sources.modules.get(_name(folder), ())) < 2:
+            yield from self._lost(entry_point.path, folder)
+
+    def lost_by_script(self, path: str) -> Iterator[LostImport]:
+        """The same of the script at *path*, where the package has one Python package, and nothing beside the script has its name.
+
+        Python searches the directory of a script first.
+        """
+        folders = set(self._folders())
+        folder = folders.pop() if len(folders) == 1 else None
+        if folder is None or path.startswith(f"{folder}/") or len(self.sources.modules.get(_name(folder), ())) != 1:
             return
-        todo = [entry_point.path]
+        beside = f"{path.rpartition('/')[0]}/{_name(folder)}".removeprefix("/")
+        if beside == folder or not self._is_there(beside):
+            yield from (lost for lost in self._lost(path, folder) if not lost.instead or lost.name)
+
+    def _folders(self) -> Iterator[str]:
+        """The directories of the outermost Python packages that the package installs."""
+        names = self.package.project.workspace.names
+        for name, directory in self.package.build.python_roots:
+            if name:
+                yield directory
+            else:
+                start = "" if directory == "." else f"{directory}/"
+                tops = {
+                    file.path.removeprefix(start).partition("/")[0]
+                    for file in self.package.files
+                    if file.path.startswith(start)
+                }
+                yield from (f"{start}{top}" for top in tops if f"{start}{top}/__init__.py" in names)
+
+    def _is_there(self, place: str) -> bool:
+        return f"{place}.py" in self.package.project.workspace.names or self._is_folder(place)
+
+    def _lost(self, path: str, folder: str) -> Iterator[LostImport]:
+        todo = [path]
         while todo and len(self.seen) < MAX_FILES:
             path = todo.pop(0)
             text = self.package.project.text(path)
@@ -140,11 +178,21 @@ class OwnModules:
             self.package.project.text(self.package.inside(file)) for file in ("CMakeLists.txt", "setup.py", "setup.cfg")
         )
         return (
-            may_appear(self.package, f"{place}.py", ())
+            name.startswith("_")
+            or self._builds_extensions(build)
+            or may_appear(self.package, f"{place}.py", ())
             or self.package.project.is_absent(place)
             or re.search(rf"(?<![\w.]){name}\b(?!:)", build) is not None
             or any(library.name == name for library in self.package.build.parameter_libraries)
         )
+
+    def _builds_extensions(self, build: str) -> bool:
+        """Whether the package compiles modules for Python: the text of its *build* says so, or a command of CMake in any of its directories."""
+        lines = (f"{command.name}({' '.join(command.arguments)[:1000]})" for command in self.package.build.commands)
+        made = self.sources.once(
+            ("extensions", self.package.name), lambda: any(map(_EXTENSIONS.search, (build, *lines)))
+        )
+        return bool(made)
 
     def _beside(self, module: str, path: str) -> str | None:
         """The file beside the one at *path* that ``import module`` is meant to load: Python does not search there for a program of setuptools."""
@@ -187,7 +235,7 @@ def _dotted(file: str, folder: str) -> str:
 
 def _imports(tree: ast.Module, path: str, folder: str) -> Iterator[tuple[str, tuple[str, ...], int]]:
     """The modules that the outermost statements import, by their whole names, with the names taken from them and the lines; relative ones resolved in *folder*."""
-    inner = path.removeprefix(folder).split("/")[1:-1]
+    inner = path.removeprefix(folder).split("/")[1:-1] if path.startswith(f"{folder}/") else None
     for statement in tree.body:
         if isinstance(statement, ast.Import):
             yield from ((alias.name, (), statement.lineno) for alias in statement.names)
@@ -196,6 +244,6 @@ def _imports(tree: ast.Module, path: str, folder: str) -> Iterator[tuple[str, tu
             module = (statement.module,) if statement.module else ()
             if statement.level == 0:
                 yield ".".join(module), names, statement.lineno
-            elif statement.level <= len(inner) + 1:
+            elif inner is not None and statement.level <= len(inner) + 1:
                 above = inner[: len(inner) + 1 - statement.level]
                 yield ".".join((_name(folder), *above, *module)), names, statement.lineno

@@ -235,3 +235,99 @@ QUIET_NAMES = [
 @pytest.mark.parametrize(("imports", "more"), QUIET_NAMES, ids=[imports for imports, _ in QUIET_NAMES])
 def test_quiet_on_other_imports_of_names(imports: str, more: dict[str, str], tmp_path: Path) -> None:
     assert messages(imports, tmp_path, more) == []
+
+
+CATKIN = {
+    "package.xml": '<package format="2"><name>demo</name><version>1.0.0</version><description>d</description><maintainer email="a@b.cd">m</maintainer>'
+    "<license>BSD</license><buildtool_depend>catkin</buildtool_depend><exec_depend>rospy</exec_depend></package>\n",
+    "CMakeLists.txt": "cmake_minimum_required(VERSION 3.0.2)\nproject(demo)\nfind_package(catkin REQUIRED COMPONENTS rospy)\ncatkin_python_setup()\n"
+    "catkin_package()\ncatkin_install_python(PROGRAMS scripts/talk.py DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})\n",
+    "setup.py": "from setuptools import setup\nfrom catkin_pkg.python_setup import generate_distutils_setup\n"
+    "setup(**generate_distutils_setup(packages=['demo'], package_dir={'': 'src'}))\n",
+    "src/demo/__init__.py": "",
+    "src/demo/tools.py": "WIDTH = 1\n",
+}
+AMENT = {
+    "package.xml": '<package format="3"><name>demo</name><version>1.0.0</version><description>d</description><maintainer email="a@b.cd">m</maintainer>'
+    "<license>BSD</license><buildtool_depend>ament_cmake_python</buildtool_depend><exec_depend>rclpy</exec_depend>"
+    "<export><build_type>ament_cmake</build_type></export></package>\n",
+    "CMakeLists.txt": "cmake_minimum_required(VERSION 3.8)\nproject(demo)\nfind_package(ament_cmake REQUIRED)\nfind_package(ament_cmake_python REQUIRED)\n"
+    "ament_python_install_package(demo)\ninstall(PROGRAMS scripts/talk.py DESTINATION lib/demo)\nament_package()\n",
+    "demo/__init__.py": "",
+    "demo/tools.py": "WIDTH = 1\n",
+}
+SCRIPT = "#!/usr/bin/env python3\n{}\n\nif __name__ == '__main__':\n    print(1)\n"
+
+
+def of_script(base: dict[str, str], imports: str, folder: Path, more: dict[str, str]) -> list[str]:
+    check = next(check for check in checks() if check.id == "python-package-incomplete")
+    files = {**base, "scripts/talk.py": SCRIPT.format(imports), **more}
+    return [result.message for result in said(check, Example("", True, files), folder)]
+
+
+@pytest.mark.parametrize("base", [CATKIN, AMENT], ids=["catkin", "ament_cmake"])
+@pytest.mark.parametrize(
+    ("imports", "words"),
+    [
+        ("from demo.tools import HEIGHT", "it imports HEIGHT from demo.tools, which has no such name"),
+        ("from demo.tool import WIDTH", "it imports demo.tool, which does not exist"),
+        ("import demo.tool", "it imports demo.tool, which does not exist"),
+        ("from demo import tool", "it imports tool from demo, which has no such name"),
+    ],
+)
+def test_a_script_beside_its_python_package(base: dict[str, str], imports: str, words: str, tmp_path: Path) -> None:
+    (message,) = of_script(base, imports, tmp_path, {})
+    assert message.startswith("program talk.py of package demo cannot start: ") and words in message
+
+
+@pytest.mark.parametrize("base", [CATKIN, AMENT], ids=["catkin", "ament_cmake"])
+@pytest.mark.parametrize(
+    ("imports", "more"),
+    [
+        ("from demo.tools import WIDTH", {}),
+        ("from demo import tools", {}),
+        ("from demo.msg import Beat", {}),
+        ("from demo.srv import Beat, BeatResponse", {}),
+        ("from demo.cfg import DriveConfig", {}),
+        ("from tools import HEIGHT", {}),
+        ("from .tools import HEIGHT", {}),
+        ("from demo.tool import WIDTH", {"scripts/demo.py": "tool = 1\n"}),
+        ("from demo.tool import WIDTH", {"scripts/demo/tool.py": "WIDTH = 1\n"}),
+        ("import sys\nsys.path.append('x')\nfrom demo.tool import WIDTH", {}),
+        ("try:\n    from demo.tool import WIDTH\nexcept ImportError:\n    pass", {}),
+        ("print 'Python 2'\nfrom demo.tool import WIDTH", {}),
+        ("import beside", {"scripts/beside.py": "from demo.tool import WIDTH\n"}),
+        ("from demo.tool import WIDTH", {".gitignore": "tool.py\n"}),
+    ],
+)
+def test_quiet_on_scripts_that_start(base: dict[str, str], imports: str, more: dict[str, str], tmp_path: Path) -> None:
+    assert of_script(base, imports, tmp_path, more) == []
+
+
+def test_quiet_on_a_script_that_nothing_installs_or_starts(tmp_path: Path) -> None:
+    assert of_script(CATKIN, "", tmp_path, {"scripts/old.py": SCRIPT.format("from demo.tool import WIDTH")}) == []
+
+
+COMPILED = [
+    "find_package(pybind11 REQUIRED)",
+    "pybind11_add_module(fast src/fast.cpp)",
+    "find_package(PythonLibs 3 REQUIRED)",
+    "find_package(Boost REQUIRED COMPONENTS system python3)",
+    "find_package(Python3 REQUIRED COMPONENTS Interpreter Development)",
+    "swig_add_library(fast LANGUAGE python SOURCES fast.i)",
+    "find_package(SWIG REQUIRED)",
+    "python_add_library(fast MODULE fast.cpp)",
+]
+
+
+@pytest.mark.parametrize("command", COMPILED)
+def test_quiet_where_the_build_compiles_modules(command: str, tmp_path: Path) -> None:
+    cmake = AMENT["CMakeLists.txt"].replace("ament_package()", f"{command}\nament_package()")
+    assert of_script(AMENT, "from demo.tool import WIDTH", tmp_path, {"CMakeLists.txt": cmake}) == []
+    assert of_script(AMENT, "from demo.tools import HEIGHT", tmp_path, {"CMakeLists.txt": cmake}) == []
+
+
+def test_quiet_on_what_setup_compiles(tmp_path: Path) -> None:
+    setup = CATKIN["setup.py"] + "# Extension('demo.inner', sources=['x.c'])\n"
+    assert of_script(CATKIN, "from demo import inner", tmp_path, {"setup.py": setup}) == []
+    assert of_script(CATKIN, "from demo import _C", tmp_path, {}) == []
