@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from haros_ci import syntax
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.ros import api_rows, selectors
+from haros_ci.follow.ros.own_names import own_names
 from haros_ci.graph.names import pattern, resolve
 from haros_ci.index.types import STRINGS, pointee
 from haros_ci.model.api import Entry
@@ -57,11 +58,8 @@ def namespace_of(applied: selectors.Applied, value: object) -> Value:
     if isinstance(value, Opaque) and value.type is not None and pointee(value.type).name not in STRINGS:
         return Opaque(f"the node handle is not known: {value.reason}", value.location)
     if isinstance(value, (Known, Text, Opaque)):
-        return (
-            below(applied, Known(applied.walk.context.namespace), value, applied.walk.context.name)
-            if value != Known("")
-            else Known(applied.walk.context.namespace)
-        )
+        own, above = own_names(applied)
+        return below(applied, Known(above), value, own) if value != Known("") else Known(above)
     return applied.walk.opaque("the namespace is not known", applied.frame, applied.location.line)
 
 

@@ -12,6 +12,7 @@ from haros_ci.follow.libraries import python_modules
 from haros_ci.follow.made import MadeEntity, make
 from haros_ci.follow.ros import own_name, paces, ros2_emit
 from haros_ci.follow.ros.ends import UNNAMED
+from haros_ci.follow.ros.own_names import own_names
 from haros_ci.follow.walk import Renamed, Walk
 from haros_ci.graph.names import clean, pattern, resolve
 from haros_ci.index.common_messages import COMMON
@@ -167,12 +168,12 @@ def _name(applied: Applied, entry: Entry, unknowns: Unknowns) -> tuple[str, str]
     from haros_ci.follow.handles import namespace_of
     from haros_ci.follow.ros.selectors import value_at
 
-    context = applied.walk.context
+    own, above = own_names(applied)
     found = value_at(applied, entry.values["name"]) if "name" in entry.values else None
     if found is None:
         found = applied.walk.opaque("it is not given", applied.frame, applied.location.line)
     text, why, where = pattern(found)
-    space: Value = Known(context.namespace)
+    space: Value = Known(above)
     if "namespace" in entry.values:
         chosen = value_at(applied, entry.values["namespace"])
         if chosen is not None:
@@ -193,7 +194,7 @@ def _name(applied: Applied, entry: Entry, unknowns: Unknowns) -> tuple[str, str]
     may_be_absolute = why is not None and text.startswith("?") and not isinstance(found, Choice)
     if may_be_absolute and entry.kind not in PARAMETERS:
         return clean(f"/{text}"), text
-    return resolve(text, prefix, context.name), text
+    return resolve(text, prefix, own), text
 
 
 def _type(applied: Applied, entry: Entry, unknowns: Unknowns, default: Value | None) -> str | None:

@@ -7,6 +7,7 @@ from functools import reduce
 
 from haros_ci.follow import handles
 from haros_ci.follow.ros import ros2_nodes, ros2_parameters, selectors
+from haros_ci.follow.ros.own_names import own_names
 from haros_ci.graph import ros2_process
 from haros_ci.graph.names import clean, pattern, resolve
 from haros_ci.graph.parameters import Perhaps, SetByNode
@@ -167,7 +168,7 @@ def _start(applied: selectors.Applied) -> Value:
     receiver = applied.receiver
     if isinstance(receiver, Object) and receiver.namespace is not None:
         return receiver.namespace
-    return Known(applied.walk.context.name)
+    return Known(own_names(applied)[0])
 
 
 def _absolute(applied: selectors.Applied, name: Name) -> tuple[str, Opaque | None]:
@@ -183,11 +184,12 @@ def _absolute(applied: selectors.Applied, name: Name) -> tuple[str, Opaque | Non
             return full, Opaque(why, where)
         return full, Opaque(*node.why) if node is not None and node.why is not None and "?" in full else None
     receiver = applied.receiver
-    space: Value = Known(context.namespace)
+    own, above = own_names(applied)
+    space: Value = Known(above)
     if isinstance(receiver, Object) and (receiver.namespace is not None or receiver.name == "ros::NodeHandle"):
         space = handles.namespace_of(applied, receiver)
     prefix, space_why, space_where = pattern(space)
-    full = resolve(text, prefix, context.name)
+    full = resolve(text, prefix, own)
     if why is not None:
         return full, Opaque(why, where)
     if space_why is not None and text[:1] not in ("/", "~"):

@@ -1,0 +1,115 @@
+# SPDX-License-Identifier: Apache-2.0
+"""ROS 1: what a library makes in a nodelet without a handle of it has the manager's name (wiki.ros.org/nodelet)."""
+
+from __future__ import annotations
+
+import pytest
+from follow_kit import CMAKE, CPP_HEAD, follow, only
+
+from haros_ci.model.architecture import Node
+
+CFG = """#!/usr/bin/env python
+from dynamic_reconfigure.parameter_generator_catkin import *
+gen = ParameterGenerator()
+gen.add("rate", double_t, 0, "", 5, 0, 10)
+exit(gen.generate("p", "n", "X"))
+"""
+CODE = (
+    CPP_HEAD
+    + """#include <nodelet/nodelet.h>
+#include <pluginlib/class_list_macros.h>
+#include <dynamic_reconfigure/server.h>
+#include <p/XConfig.h>
+struct Helper {{ dynamic_reconfigure::Server<p::XConfig> server; }};
+namespace q {{ class N : public nodelet::Nodelet {{ {members}
+void onInit() {{ {body} }} }}; }}
+PLUGINLIB_EXPORT_CLASS(q::N, nodelet::Nodelet)
+"""
+)
+LOADED = """<launch><group ns="ns"><node pkg="nodelet" type="nodelet" name="m" args="manager"/></group>
+<node pkg="nodelet" type="nodelet" name="me" args="load p/N ns/m"/></launch>"""
+ALONE = '<launch><node pkg="nodelet" type="nodelet" name="me" args="standalone p/N"/></launch>'
+
+
+def nodelet(body: str, members: str = "", launch: str = LOADED) -> Node:
+    manifest = '<package format="2"><name>p</name><export><nodelet plugin="${prefix}/n.xml"/></export></package>'
+    description = (
+        '<library path="lib/libq"><class name="p/N" type="q::N" base_class_type="nodelet::Nodelet"/></library>'
+    )
+    files = {
+        "p/CMakeLists.txt": CMAKE.format("p")
+        + "add_library(q src/q.cpp)\ngenerate_dynamic_reconfigure_options(cfg/X.cfg)\n",
+        "p/package.xml": manifest,
+        "p/n.xml": description,
+        "p/cfg/X.cfg": CFG,
+        "p/src/q.cpp": CODE.format(members=members, body=body),
+        "p/launch/l.launch": launch,
+    }
+    return next(node for node in only(follow(files)).nodes if node.name.endswith("/me"))
+
+
+def named(found: Node) -> list[str]:
+    return sorted({end.name for end in found.endpoints})
+
+
+SERVER = ["parameter_descriptions", "parameter_updates", "rate", "set_parameters"]
+
+
+@pytest.mark.parametrize(
+    ("body", "members"),
+    [
+        ("", "dynamic_reconfigure::Server<p::XConfig> server;"),
+        ("server = new dynamic_reconfigure::Server<p::XConfig>();", "dynamic_reconfigure::Server<p::XConfig>* server;"),
+        ("auto s = std::make_shared<dynamic_reconfigure::Server<p::XConfig>>();", ""),
+        ("", "Helper helper;"),
+        ("dynamic_reconfigure::Server<p::XConfig> s(mutex);", "boost::recursive_mutex mutex;"),
+        ('dynamic_reconfigure::Server<p::XConfig> s(ros::NodeHandle("~"));', ""),
+    ],
+)
+def test_a_server_without_a_handle_is_the_managers(body: str, members: str) -> None:
+    assert named(nodelet(body, members)) == [f"/ns/m/{name}" for name in SERVER]
+
+
+@pytest.mark.parametrize(
+    ("body", "expected"),
+    [
+        ('double x; ros::param::get("~x", x);', "/ns/m/x"),
+        ('double x; ros::param::get("x", x);', "/ns/x"),
+        ('ros::topic::waitForMessage<std_msgs::String>("x");', "/ns/x"),
+        ('ros::NodeHandle h; h.advertise<std_msgs::String>("x", 1);', "/ns/x"),
+    ],
+)
+def test_functions_without_a_handle_are_of_the_process(body: str, expected: str) -> None:
+    assert named(nodelet(body)) == [expected]
+
+
+@pytest.mark.parametrize(
+    ("body", "expected"),
+    [
+        ("dynamic_reconfigure::Server<p::XConfig> s(getPrivateNodeHandle());", [f"/me/{name}" for name in SERVER]),
+        ("dynamic_reconfigure::Server<p::XConfig> s(getNodeHandle());", [f"/{name}" for name in SERVER]),
+        (
+            'ros::NodeHandle n(getPrivateNodeHandle(), "in"); dynamic_reconfigure::Server<p::XConfig> s(n);',
+            [f"/me/in/{name}" for name in SERVER],
+        ),
+        ('getPrivateNodeHandle().advertise<std_msgs::String>("x", 1);', ["/me/x"]),
+        ('getNodeHandle().advertise<std_msgs::String>("x", 1);', ["/x"]),
+        ('double x; getPrivateNodeHandle().getParam("x", x);', ["/me/x"]),
+        ('ros::NodeHandle n(getName()); n.advertise<std_msgs::String>("x", 1);', ["/me/x"]),
+    ],
+)
+def test_what_has_a_handle_of_the_nodelet_is_its_own(body: str, expected: list[str]) -> None:
+    assert named(nodelet(body)) == expected
+
+
+def test_a_nodelet_that_stands_alone_is_its_own_process() -> None:
+    assert named(nodelet("", "dynamic_reconfigure::Server<p::XConfig> server;", ALONE)) == [
+        f"/me/{name}" for name in SERVER
+    ]
+
+
+def test_of_an_unknown_manager_the_name_is_unknown_and_says_so() -> None:
+    launch = '<launch><node pkg="nodelet" type="nodelet" name="me" args="load p/N $(env MANAGER)"/></launch>'
+    found = nodelet("", "dynamic_reconfigure::Server<p::XConfig> server;", launch)
+    assert all("?" in end.name for end in found.endpoints)
+    assert all(any(unknown.field == "name" for unknown in end.unknowns) for end in found.endpoints)
