@@ -20,6 +20,7 @@ from haros_ci.follow.libraries import (
     python_lists,
     python_numbers,
     python_texts,
+    ros_words,
 )
 from haros_ci.follow.libraries import (
     yaml as library_yaml,
@@ -155,6 +156,8 @@ def function(walk: Walk, frame: Frame, name: str, args: tuple[PassedArgument, ..
         return python_kinds.is_instance(args)
     if name in ("rospy.myargv", "sys.argv") and walk.context.arguments is not None:
         return argv(walk, frame, name == "rospy.myargv")
+    if name == ros_words.REMOVE:
+        return ros_words.removed(first if args else argv(walk, frame))
     if name in dynamic.IMPORTS:
         return dynamic.module(walk, frame, name, args)
     if name in dynamic.CLASSES:
@@ -213,7 +216,7 @@ def argv(walk: Walk, frame: Frame, is_own: bool = False) -> Value:
         words = [word for word in words if not (isinstance(word, Known) and ":=" in word.of(str))]
     elif is_launched:
         program, added = _ADDED if context.process is None else _ADDED_BY_LAUNCH
-        words += [Opaque(f"it is {word}, which {program} gives", None, syntax.Type("str")) for word in added]
+        words += [Opaque(ros_words.ADDED.format(word, program), None, syntax.Type("str")) for word in added]
     return Sequence(Cell(tuple(Cell(word) for word in words)))
 
 
