@@ -26,6 +26,7 @@ from haros_ci.values.abstract import (
     Choice,
     Known,
     Library,
+    Mapped,
     Object,
     Opaque,
     Pointer,
@@ -141,15 +142,22 @@ def binary(walk: Walk, frame: Frame, symbol: str, left: Value, right: Value) -> 
             also, other_data = data_of(right)
             if known and also:
                 return _computed(walk, frame, symbol, one_data, other_data)
-    if symbol in ("in", "not in"):
-        known, item = data_of(left)
-        also, items = data_of(right)
-        if known and also and isinstance(items, (list, dict, str)):
-            try:
-                return Known((item in items) == (symbol == "in"))
-            except TypeError:
-                pass
+    if symbol in ("in", "not in") and (is_in := _is_in(left, right)) is not None:
+        return Known(is_in == (symbol == "in"))
     return walk.opaque("it is computed from what is not known", frame, None, _computed_type(frame, symbol, left, right))
+
+
+def _is_in(left: Value, right: Value) -> bool | None:
+    """Whether Python's ``left in right`` holds; None if that is not known. Of a dict the keys have to be known, and no value."""
+    known, item = data_of(left)
+    content = right.content.value if isinstance(right, Mapped) else None
+    also, items = (True, content) if isinstance(content, dict) else data_of(right)
+    if not known or not also or not isinstance(items, (list, dict, str)):
+        return None
+    try:
+        return item in items
+    except TypeError:
+        return None
 
 
 def _computed_type(frame: Frame, symbol: str, left: Value, right: Value) -> syntax.Type | None:
