@@ -15,6 +15,7 @@ from haros_ci.follow import (
     copies,
     data_classes,
     expressions,
+    guarded,
     members,
     methods,
     specialisations,
@@ -290,7 +291,8 @@ def initialise(  # noqa: C901 - the steps of [class.base.init], in its order
                 this.fields[member.name] = referred
                 continue
             start = _as_value(kind, own.arguments)
-            cell.value = initial(walk, inner, kind, start, Location(where.path, own.line, own.column))
+            with guarded.under(walk, where.path, own.guards):
+                cell.value = initial(walk, inner, kind, start, Location(where.path, own.line, own.column))
         elif member.init is not None:
             cell.value = initial(walk, declared, kind, member.init, Location(source.path, member.line, member.column))
         elif "*" in kind.marks or "&" in kind.marks:

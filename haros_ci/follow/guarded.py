@@ -3,12 +3,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import contextmanager
 
 from haros_ci import syntax
 from haros_ci.follow import early, statements
 from haros_ci.follow.frames import NEXT, Frame
 from haros_ci.follow.walk import Walk
+from haros_ci.model.architecture import Condition
 from haros_ci.model.location import Location
 from haros_ci.values.abstract import Cell
 from haros_ci.values.state import Writes, joined
@@ -39,6 +41,20 @@ def preprocessor(walk: Walk, frame: Frame, statement: syntax.Preprocessor) -> st
     _complete(fresh.values(), [writes for _, writes in branches], live)
     frame.scopes[-1].update((name, cell) for name, cell in fresh.items() if name not in frame.scopes[-1])
     return statements.merge(walk, frame, branches, live)
+
+
+@contextmanager
+def under(walk: Walk, path: str, guards: Sequence[tuple[int, int, str]]) -> Iterator[None]:
+    """What is followed inside stands under the ``#if`` lines *guards* of the file at *path*; ruled out where the build does not compile one."""
+    depth = len(walk.conditions)
+    left_out = sum(walk.is_compiled(path, line) is False for line, _, _ in guards)
+    walk.conditions += [Condition("#if", text, Location(path, line, column)) for line, column, text in guards]
+    walk.dead += left_out
+    try:
+        yield
+    finally:
+        walk.dead -= left_out
+        del walk.conditions[depth:]
 
 
 def _with_declared(writes: Writes, declared: dict[str, Cell], fresh: dict[str, Cell]) -> Writes:

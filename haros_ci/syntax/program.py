@@ -20,13 +20,14 @@ class Parameter(Record, frozen=True):
 
 
 class Initializer(Record, frozen=True):
-    """What a constructor gives a member or base class."""
+    """What a constructor gives a member or base class. *guards* are ``(line, column, text)`` of the ``#if`` lines around it in the list."""
 
     name: str
     type: Type
     arguments: tuple[Expression, ...]
     line: int
     column: int
+    guards: tuple[tuple[int, int, str], ...] = ()
 
 
 class Function(Record, frozen=True):

@@ -163,7 +163,9 @@ def _initialisers(unit: Unit, node: Node) -> tuple[syntax.Initializer, ...]:
             if other_node.kind_id in _LISTS:
                 values = expressions.arguments(unit, other_node, 1)
         line, column = unit.position(child)
-        found.append(syntax.Initializer(name, syntax.Type(name, chosen), values, line, column))
+        split = unit.split(child)
+        guards = ((split.line, 1, split.text),) if split is not None else ()
+        found.append(syntax.Initializer(name, syntax.Type(name, chosen), values, line, column, guards))
     return tuple(found)
 
 
