@@ -13,7 +13,7 @@ _TRUTHS = {"true": True, "false": False}
 #: What authors write to switch a part of a launch file on or off by hand.
 _SWITCHES = frozenset((*_TRUTHS, "1", "0"))
 _CONDITION = re.compile(
-    r"(?:\w+\.)*(?:If|Unless)Condition\(\s*(?:predicate_expression\s*=\s*)?(.{0,40}?)\s*,?\s*\)", re.DOTALL
+    r"(?:\w+\.)*(?:If|Unless)Condition\(\s*(?:predicate_expression\s*=\s*)?(.{0,40}?)\s*(?:,\s*)?\)", re.DOTALL
 )
 
 

@@ -9,6 +9,7 @@ from collections.abc import Iterator
 from haros_ci.api import (
     Channel,
     Check,
+    Condition,
     End,
     Finding,
     Level,
@@ -131,10 +132,23 @@ def _nodes(ends: list[End]) -> str:
     return f"{names[0]}{more} ({line_of(first.location)})"
 
 
+def _is_optional(one: End, other: End) -> bool:
+    """Whether a program has one of two ends in builds with an option alone, as for a driver that need not be there: under ``#if`` and not ruled out."""
+    if one.node.raw.process != other.node.raw.process or one.node.type != other.node.type:
+        return False
+    first, second = ({(c.location, c.condition) for c in end.conditions if _is_asked(c)} for end in (one, other))
+    return first != second
+
+
+def _is_asked(condition: Condition) -> bool:
+    """Whether it is an ``#if`` that a build decides: one on a name."""
+    return condition.statement == "#if" and re.search(r"[A-Za-z_]", condition.condition.partition(" ")[2]) is not None
+
+
 def _among(topic: Channel, ends: tuple[End, ...], types: _Types) -> Iterator[Finding]:
     """Ends of one kind without another end in the system: who is there outside of it fits one of their types."""
     for one, other in can_meet(ends, ends):
-        if types.differ(one, other):
+        if types.differ(one, other) and not _is_optional(one, other):
             wrong = next((end for end in (other, one) if rule_of(end) is not None), other)
             verb, effect = (
                 ("publishes", "a subscriber receives the messages of one of the two only")

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """``p->m`` and ``(*p).m`` of objects whose own class has ``operator->`` or ``operator*``: smart pointers that the workspace writes itself.
 
-As ``->`` and ``.`` are not told apart, a member that the class has itself is that.
+As ``->`` and ``.`` are not distinguished, a member that the class has itself is that.
 """
 
 from __future__ import annotations

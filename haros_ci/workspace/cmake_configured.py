@@ -52,7 +52,7 @@ def _configure(state: CMakeState, call: EvaluatedCommand) -> None:
 
 
 def _written(state: CMakeState, template: str, options: list[str]) -> str | None:
-    """What is written of *template*, with ``NOT_KNOWN`` for each value that is not known; None if that is not told, or is no XML."""
+    """What is written of *template*, with ``NOT_KNOWN`` for each value that is not known; None if that is not known, or is no XML."""
     if template not in state.tree.listed:
         return None
     text = cleaned(state.tree.workspace.text(template))

@@ -101,16 +101,16 @@ def test_virtual_and_bodiless_methods() -> None:
 def test_initialisers() -> None:
     found = function('A::A(B b) : C<int>(b), d_{1, 2},\n  e_("x") { }', "A::A")
     assert found.inits == (
-        ("C", T("C", T("int")), (("name", "b"),), 1, 13),
-        ("d_", T("d_"), (("num", 1), ("num", 2)), 1, 24),
-        ("e_", T("e_"), (("str", "x"),), 2, 3),
+        ("C", T("C", T("int")), (("name", "b"),), 1, 13, ()),
+        ("d_", T("d_"), (("num", 1), ("num", 2)), 1, 24, ()),
+        ("e_", T("e_"), (("str", "x"),), 2, 3, ()),
     )
     assert (found.body_line, found.body_column) == (2, 11)
 
 
 def test_function_try_blocks() -> None:
     found = function("A::A() try : a(1) { g(); } catch (...) { }", "A::A")
-    assert found.inits == (("a", T("a"), (("num", 1),), 1, 14),)
+    assert found.inits == (("a", T("a"), (("num", 1),), 1, 14, ()),)
     call = ("do", ("call", ("name", "g"), (), (), 1, 21))
     assert found.body == (("try", (call,), ((1, 28, "...", "", T(""), ()),)),)
     assert (found.body_line, found.body_column) == (1, 19)
