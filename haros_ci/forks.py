@@ -174,10 +174,13 @@ def _all_done(jobs: Sequence[Callable[[], T]], batches: list[list[int]], queue: 
 
 
 def _result_of(child: int, pipe: BinaryIO) -> Any:
-    """What a process has found; None if it did not come to its end."""
+    """What a process has found; None if it did not come to its end, or if what it found cannot be carried over."""
     with pipe:
         data = pipe.read()
     _, status = os.waitpid(child, 0)
     if status != 0:
         return None
-    return pickle.loads(data)
+    try:
+        return pickle.loads(data)
+    except Exception:
+        return None  # it is found anew in this process

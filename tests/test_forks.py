@@ -199,3 +199,20 @@ def test_what_is_left_puts_in_order_what_it_has_begun(tmp_path: Path) -> None:
         while not os.listdir(tmp_path):
             os.sched_yield()
     assert os.listdir(tmp_path) == []
+
+
+class Torn:
+    """Cannot be read from what is written of it."""
+
+    def __reduce__(self) -> tuple[Callable[..., int], tuple[str]]:
+        return int, ("no number",)
+
+
+def torn_or_where(number: int) -> tuple[Torn | None, int]:
+    square(number)
+    return (Torn() if os.getpid() != HERE else None), os.getpid()
+
+
+def test_what_cannot_be_carried_over_is_done_here() -> None:
+    jobs = [partial(torn_or_where, number) for number in range(MANY)]
+    assert {process for _, process in shared(jobs, range(MANY), 2)} == {HERE}

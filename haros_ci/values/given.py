@@ -52,6 +52,10 @@ class Given(Known):
         self.looks.seen.update(self.cells)
         return self.held
 
+    def __reduce__(self) -> tuple[type[Known], tuple[object]]:
+        """Another process gets the data alone."""
+        return Known, (self.held,)
+
     def ask(self, question: str, operand: object = None) -> int:
         answer = QUESTIONS[question](self.held, operand)
         self._answered(question, operand, answer, self.cells)
@@ -122,6 +126,10 @@ class GivenText(Text):
     def parts(self) -> tuple[str | Opaque, ...]:
         self.looks.seen.update(self.cells)
         return self.held
+
+    def __reduce__(self) -> tuple[type[Text], tuple[tuple[str | Opaque, ...]]]:
+        """Another process gets the parts alone."""
+        return Text, (self.held,)
 
     @property
     def unknown(self) -> Opaque:
@@ -210,6 +218,13 @@ def beginning(value: Known, count: int) -> Known | None:
     value.ask("size")
     mark = value.mark.removesuffix(rest)
     return Given(held[:count], mark, value.cells, value.looks) if END in mark else Known(held[:count])
+
+
+def looked_at(value: Value) -> Value:
+    """*value*; of what is given from outside the data or parts, which count as looked at."""
+    if isinstance(value, Given):
+        return Known(value.value)
+    return Text(value.parts) if isinstance(value, GivenText) else value
 
 
 def plain(data: object) -> object:

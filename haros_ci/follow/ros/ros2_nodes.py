@@ -15,7 +15,7 @@ from haros_ci.graph.ros2_process import Parameters, RemappingRule, RosArguments,
 from haros_ci.model.api import Entry
 from haros_ci.model.location import Location
 from haros_ci.values.abstract import NONE, Cell, Choice, Known, Mapped, Object, Opaque, Pointer, Sequence, Value
-from haros_ci.values.given import marked
+from haros_ci.values.given import looked_at, marked
 
 if TYPE_CHECKING:
     from haros_ci.follow.ros.selectors import Applied
@@ -148,7 +148,8 @@ def made(
         _field(options, name) not in (None, NONE, Known(False)) for name in MAY_DECLARE
     ):
         switches[UNDECLARED] = True
-    provided = {**_parameters(local, full, location), **_overrides(options)}
+    overrides = {key: looked_at(value) for key, value in _overrides(options).items()}
+    provided = {**_parameters(local, full, location), **overrides}
     sim_time = provided.get(SIM_TIME)
     if isinstance(sim_time, Known) and issubclass(sim_time.kind, bool):
         switches[SIM_TIME] = sim_time.of(bool)
