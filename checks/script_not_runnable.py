@@ -224,7 +224,7 @@ def _mode(script: Installed, package: ProjectPackage, level: Level, programs: Pr
             )
         return
     bits = package.project.workspace.executables
-    has_bit = bits is None or script.path in bits or _is_relayed(script, package)
+    has_bit = bits is None or script.path in bits or _is_relayed(script, package) or changes_modes(package)
     if has_bit or not is_to_be_run(script.path, package.project):
         return
     if is_given_to_another(script.path, package) or _is_module(script, package, programs, with_shebang=True):

@@ -21,6 +21,7 @@ from haros_ci.linters.pylint_idioms import (
     is_placeholder,
     is_stub,
     is_to_fail,
+    is_unpacked,
 )
 from haros_ci.linters.pylint_statements import (
     gives_names,
@@ -105,7 +106,7 @@ def is_refuted(rule: str, line: int, column: int, text: str) -> bool:  # noqa: C
     if rule in _RAISED and is_overwritten(text, line):
         return True
     if rule == "no-value-for-parameter":
-        return _is_decorated(code, line, column)
+        return _is_decorated(code, line, column) or is_unpacked(code, line, column)
     if rule in ("pointless-statement", "expression-not-assigned"):
         is_call = rule == "expression-not-assigned" and (_is_loop(code, line, column) or is_choice_of_calls(text, line))
         return is_call or is_stub(text, line) or _is_on_purpose(text, code, line)

@@ -26,6 +26,17 @@ _WORD = re.compile(r"[^\W\d]\w*")
 #: How methods call the object, the class, and the class of a class.
 _OBJECTS = frozenset(("self", "cls", "mcs", "mcls", "metacls", "klass", "this"))
 
+#: A call on one line with ``*x`` or ``**x`` among its arguments, none of which has brackets of its own before it.
+_CALL_UNPACKED = re.compile(r"[\w.]{1,200}\((?:[^()\n]{0,200},)?[ \t]{0,20}\*{1,2}[ \t]{0,20}[\w(\[{]")
+
+
+def is_unpacked(text: str, line: int, column: int) -> bool:
+    """Whether the call that begins there is given a list or dict of which each element is an argument: ``f(*args)``. *text* is without comments."""
+    lines = text.split("\n")
+    rest = lines[line - 1][column : column + _LONGEST] if 0 < line <= len(lines) else ""
+    called = _CALL_UNPACKED.match(rest)
+    return called is not None
+
 
 def is_placeholder(text: str, line: int) -> bool:
     """Whether the thread without a target that *line* makes is given another value, a thread with one, in the same class."""

@@ -11,6 +11,9 @@ from haros_ci.linters.pylint_statements import is_made_by_hand
 
 CLICK = "import click\n\n@click.command()\n@click.option('--name')\ndef main(name):\n    print(name)\n\nmain()\n"
 REFUTED = [
+    ("no-value-for-parameter", "x = self.delta(*args)\n", "self.delta"),
+    ("no-value-for-parameter", "x = delta(1, **options)\n", "delta("),
+    ("no-value-for-parameter", "x = a.b.delta(first, *rest, key=1)\n", "a.b"),
     ("no-value-for-parameter", CLICK, "main()"),
     ("no-value-for-parameter", CLICK.replace("click.command()", "app.command"), "main()"),
     ("no-value-for-parameter", "@mock.patch('a.b')\nasync def main(b):\n    pass\n\nx = main()\n", "x = main()"),
@@ -211,6 +214,10 @@ STANDS = [
     ("no-value-for-parameter", CLICK + "other()\n", "other()"),
     ("no-value-for-parameter", "@click.command()\nclass A:\n    pass\ndef main(name):\n    pass\nmain()\n", "main()\n"),
     ("no-value-for-parameter", "x = yaml.load(f)\n", "yaml"),
+    ("no-value-for-parameter", "x = f(a * b)\n", "f("),
+    ("no-value-for-parameter", "x = f(a, b ** c)\n", "f("),
+    ("no-value-for-parameter", "x = f(1) + g(*a)\n", "f("),
+    ("no-value-for-parameter", "x = f(g(*a))\n", "f("),
     ("pointless-statement", "def f(self):\n    self.s\n", "self.s\n"),
     ("pointless-statement", "a == b  # compare\n", "a"),
     ("pointless-statement", "if x:\n    rospy.spin\n", "rospy"),
