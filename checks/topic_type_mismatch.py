@@ -140,6 +140,10 @@ def _is_optional(one: End, other: End) -> bool:
     return first != second
 
 
+def _other(one: End, other: End) -> str:
+    return "also" if one.node.name == other.node.name else other.node.name
+
+
 def _is_asked(condition: Condition) -> bool:
     """Whether it is an ``#if`` that a build decides: one on a name."""
     return condition.statement == "#if" and re.search(r"[A-Za-z_]", condition.condition.partition(" ")[2]) is not None
@@ -157,7 +161,7 @@ def _among(topic: Channel, ends: tuple[End, ...], types: _Types) -> Iterator[Fin
             )
             yield Finding(
                 at=named_at(wrong),
-                message=f"{one.node} {verb} {topic} as {one.type}, and {other.node} as {other.type} ({line_of(one.location)}, "
+                message=f"{one.node} {verb} {topic} as {one.type}, and {_other(one, other)} as {other.type} ({line_of(one.location)}, "
                 f"{line_of(other.location)}): {effect}; use one type in both{_advice(wrong)}",
                 about=(topic, one, other),
                 related=tuple((end.location, f"{end.node}: {end.word} of {end.type}") for end in (one, other)),

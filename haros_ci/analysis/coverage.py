@@ -81,8 +81,8 @@ def too_little(found: Coverage) -> tuple[str, ...]:
         return ()
     return (
         f"{counts.accounted:,} of {counts.sites:,} calls of ROS APIs in production code ({int(counts.share * 100)}%) are understood: mistakes in "
-        f"topics, services and parameters at the other {counts.sites - counts.accounted:,} are not found, so that no finding does not mean that they are right; "
-        "manifests, builds and what linters see do not depend on it; haros-ci model --coverage lists these calls with the reasons",
+        f"topics, services and parameters at the other {counts.sites - counts.accounted:,} are not reported; "
+        "findings in manifests, builds and of linters do not depend on it; haros-ci model --coverage lists these calls with the reasons",
     )
 
 

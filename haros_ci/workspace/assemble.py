@@ -237,10 +237,9 @@ def _of_sketches(names: frozenset[str], reader: TextReader) -> Iterable[Problem]
         if path.endswith(_SKETCHES) and "examples" not in path.split("/") and _OF_ROS.search(reader.text(path))
     )
     if found:
-        others = f" and {len(found) - 1} more" if len(found) > 1 else ""
-        yield Problem(
-            found[0], f"a sketch of Arduino{others}: what such nodes publish and subscribe to is not in the model"
-        )
+        what = "this Arduino sketch" if len(found) == 1 else f"this Arduino sketch and {len(found) - 1} more"
+        verb = "uses" if len(found) == 1 else "use"
+        yield Problem(found[0], f"{what} {verb} ROS: what such nodes publish and subscribe to is not in the model")
 
 
 def _of_no_package(files: Iterable[SourceFile], reader: TextReader) -> Iterable[Problem]:

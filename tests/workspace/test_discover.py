@@ -451,16 +451,16 @@ def test_what_is_no_package_of_rosbuild_is_not_named(tmp_path: Path, files: dict
     assert messages(discover(plant(tmp_path, files), (".",))) == []
 
 
-SKETCH = "a sketch of Arduino{}: what such nodes publish and subscribe to is not in the model"
+SKETCH = "this Arduino sketch{} ROS: what such nodes publish and subscribe to is not in the model"
 
 
 @pytest.mark.parametrize(
     ("files", "words"),
     [
-        ({"a/b.ino": b"#include <ros.h>\nros::NodeHandle nh;\n"}, ""),
-        ({"a/b.pde": b'  #  include "ros.h"\n'}, ""),
-        ({"a/b.ino": b"#include <micro_ros_arduino.h>\n", "c/d.ino": b"#include <rcl/rcl.h>\n"}, " and 1 more"),
-        ({"a/b.ino": b"#include <ros2arduino.h>\n"}, ""),
+        ({"a/b.ino": b"#include <ros.h>\nros::NodeHandle nh;\n"}, " uses"),
+        ({"a/b.pde": b'  #  include "ros.h"\n'}, " uses"),
+        ({"a/b.ino": b"#include <micro_ros_arduino.h>\n", "c/d.ino": b"#include <rcl/rcl.h>\n"}, " and 1 more use"),
+        ({"a/b.ino": b"#include <ros2arduino.h>\n"}, " uses"),
     ],
 )
 def test_sketches_that_talk_to_ros_are_named_once(tmp_path: Path, files: dict[str, bytes], words: str) -> None:

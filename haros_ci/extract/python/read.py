@@ -110,7 +110,8 @@ def _unreadable(error: BaseException, text: str) -> Program:
         line = min(max(error.lineno or 1, 1), text.count("\n") + 1)
         version = f"Python {sys.version_info.major}.{sys.version_info.minor}"
         return _failed(
-            line, f"{version} cannot parse the file ({reason}): mend this line, or run haros-ci on its Python"
+            line,
+            f"{version} cannot parse the file ({reason}): correct this line, or run haros-ci with the Python version that the file is written for",
         )
     return _failed(1, "nested too deeply to be parsed; split the statements")
 

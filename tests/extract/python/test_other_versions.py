@@ -153,7 +153,9 @@ def test_given_up(text: str, line: int) -> None:
     program = read_python(text)
     ((found, message),) = program.problems
     assert (program.language, program.functions, found) == ("python", (), line)
-    assert "cannot parse the file" in message and message.endswith("run haros-ci on its Python")
+    assert "cannot parse the file" in message and message.endswith(
+        "with the Python version that the file is written for"
+    )
 
 
 @pytest.mark.skipif(sys.version_info >= (3, 12), reason="this Python reads it as it is")
