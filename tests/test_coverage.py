@@ -432,7 +432,7 @@ def test_too_little_is_said_of_production_code_alone() -> None:
     assert too_little(Coverage()) == ()
     (said,) = too_little(Coverage(sites=(*many[1:], site(OPEN))))
     assert said.startswith("8 of 9 calls of ROS APIs in production code (88%) are understood: ")
-    assert "at the other 1 are not found" in said and "manifests, builds" in said
+    assert "at the other 1 are not reported" in said and "manifests, builds" in said
 
 
 def test_shares_are_rounded_down() -> None:
