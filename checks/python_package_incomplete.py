@@ -84,20 +84,13 @@ def _lost_by_scripts(package: ProjectPackage, launched: set[tuple[str, str]]) ->
 
 
 def _lost(lost: LostImport, program: str, place: Location, package: ProjectPackage) -> Finding:
-    what = f"{lost.name} from {lost.module}" if lost.name else lost.module
     return Finding(
         at=lost.location,
-        message=f"program {program} of package {package.name} cannot start: it imports {what}, {_why(lost)}",
-        about=(package.name, *filter(None, (lost.module, lost.name))),
+        message=f"program {program} of package {package.name} cannot start: {lost.sentence()}",
+        about=(package.name, *lost.names),
         related=((place, f"the program {program}"),),
-        apart=(lost.location.path, *filter(None, (lost.module, lost.name))),
+        apart=(lost.location.path, *lost.names),
     )
-
-
-def _why(lost: LostImport) -> str:
-    if lost.name:
-        return f"which has no such name; {f'write {lost.instead}' if lost.instead else 'define it there, or remove the import'}"
-    return f"which is {lost.instead}; write that name" if lost.instead else "which does not exist"
 
 
 def _is_there(path: str, package: ProjectPackage) -> bool:

@@ -62,6 +62,20 @@ class LostImport:
     instead: str
     name: str = ""
 
+    @property
+    def names(self) -> tuple[str, ...]:
+        """The module, and the name if it is one."""
+        return (self.module, self.name) if self.name else (self.module,)
+
+    def sentence(self) -> str:
+        """What the program does, and what to write instead."""
+        if self.name:
+            remedy = f"write {self.instead}" if self.instead else "define it there, or remove the import"
+            return f"it imports {self.name} from {self.module}, which has no such name; {remedy}"
+        return f"it imports {self.module}, which " + (
+            f"is {self.instead}; write that name" if self.instead else "does not exist"
+        )
+
 
 @dataclass(slots=True)
 class OwnModules:
