@@ -23,16 +23,15 @@ def handle(applied: selectors.Applied, entry: Entry) -> Value:
 
     A handle that a nodelet makes itself is its process's, the manager's, and not its own (wiki.ros.org/nodelet).
     """
-    context = applied.walk.context
-    made_here = applied.row.call == "ros::NodeHandle"
-    parent: Value = Known(context.process_namespace if made_here else context.namespace)
+    own, above = own_names(applied)
+    parent: Value = Known(above)
     if "parent" in entry.values:
         found = selectors.value_of(applied, entry.values["parent"])
         parent = namespace_of(applied, found) if found is not None else parent
     text = selectors.value_at(applied, entry.values["namespace"]) if "namespace" in entry.values else Known("")
     if text is None or text == Known("") or text == NONE:
         return parent
-    return below(applied, parent, text, context.process_name if made_here else context.name)
+    return below(applied, parent, text, own)
 
 
 def below(applied: selectors.Applied, parent: Value, text: Value, node: str) -> Value:

@@ -102,8 +102,9 @@ def test_what_has_a_handle_of_the_nodelet_is_its_own(body: str, expected: list[s
     assert named(nodelet(body)) == expected
 
 
-def test_the_parameter_of_an_updater_has_the_name_that_declared_models_give_it() -> None:
-    assert "/me/diagnostic_period" in named(nodelet("", "diagnostic_updater::Updater updater;"))
+def test_the_parameter_of_an_updater_is_the_managers() -> None:
+    """diagnostic_updater.h: ``ph = ros::NodeHandle("~")``."""
+    assert "/ns/m/diagnostic_period" in named(nodelet("", "diagnostic_updater::Updater updater;"))
 
 
 def test_a_nodelet_that_stands_alone_is_its_own_process() -> None:

@@ -8,9 +8,8 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from haros_ci.follow.ros.selectors import Applied
 
-#: Libraries whose rows are methods of nodelets; and diagnostic_updater, whose one parameter has the nodelet's name as in the declared models of
-#: HAROS's authors (docs/model.md, "Known mistakes"; a running system has the manager's).
-_OF_NODELETS = frozenset(("nodelet", "nodelet_topic_tools", "jsk_topic_tools", "diagnostic_updater"))
+#: Libraries whose rows are methods of nodelets.
+_OF_NODELETS = frozenset(("nodelet", "nodelet_topic_tools", "jsk_topic_tools"))
 
 
 def own_names(applied: Applied) -> tuple[str, str]:

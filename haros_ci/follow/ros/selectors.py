@@ -12,6 +12,7 @@ from haros_ci import syntax
 from haros_ci.follow import conversions, handles, members, methods
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.ros import name_selectors, ros2_listed, ros2_nodes, ros2_selectors
+from haros_ci.follow.ros.own_names import own_names
 from haros_ci.follow.walk import Walk
 from haros_ci.index.ros_types import parameter_type
 from haros_ci.model.api import Entry, Row, Template
@@ -192,7 +193,8 @@ def select_value(applied: Applied, selector: str) -> Found:  # noqa: C901 - one 
     inside = inside[:-1]
     where, _, index = inside.partition(",")
     if function == "handle":
-        return Object("ros::NodeHandle", namespace=Known(context.name if inside == "~" else context.namespace))
+        own, above = own_names(applied)
+        return Object("ros::NodeHandle", namespace=Known(own if inside == "~" else above))
     if function == "parent":
         return name_selectors.parent(applied, inside)
     if function == "declared":
