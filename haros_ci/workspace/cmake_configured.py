@@ -28,7 +28,7 @@ _AT = r"@([A-Za-z0-9/_.+-]{1,200})@"
 _AT_ONLY = re.compile(_AT)
 _ALL = re.compile(rf"{_AT}|\$\{{([A-Za-z0-9/_.+-]{{1,200}})\}}|(\$(?:ENV|CACHE)?\{{)")
 _CMAKE_LINE = re.compile(r"^[ \t]*#[ \t]*cmakedefine", re.M)
-#: What only the machine that builds tells: where things lie, and values that follow it without one.
+#: A value below the prefix of the installation, of which only the machine that builds tells where it lies.
 _OF_THE_BUILD = re.compile(r"install(?:/|$)")
 #: The tag of an element that may hold a text: none that holds others.
 _OPENED = re.compile(
@@ -81,16 +81,17 @@ def _value(state: CMakeState, name: str) -> str:
 
 
 def _stands_in_values(text: str) -> bool:
-    """Whether all that is not known stands in tags, or is the text of an element that has none in it: no elements are hidden by it."""
-    at = text.find(NOT_KNOWN)
-    while at >= 0:
-        opened, closed = text.rfind("<", 0, at), text.rfind(">", 0, at)
-        if opened < closed:
+    """Whether all that is not known stands in tags, or is the text of an element that has none in it: no elements are hidden by it. Takes linear time."""
+    opened = closed = leaf = -1
+    start = 0
+    while (at := text.find(NOT_KNOWN, start)) >= 0:
+        opened, closed = max(opened, text.rfind("<", start, at)), max(closed, text.rfind(">", start, at))
+        if opened < closed != leaf:
             tag = _OPENED.match(text, opened)
-            is_leaf = tag is not None and tag.end() == closed + 1 and text.startswith("</", text.find("<", at))
-            if not is_leaf:
+            if tag is None or tag.end() != closed + 1 or not text.startswith("</", text.find("<", at)):
                 return False
-        at = text.find(NOT_KNOWN, at + 1)
+            leaf = closed
+        start = at + 1
     return True
 
 

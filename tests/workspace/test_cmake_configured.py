@@ -132,3 +132,12 @@ def test_not_told(cmake: str, template: str) -> None:
 
 def test_a_file_of_the_package_stays_before_one_that_is_only_installed() -> None:
     assert written("set(NAME left)\n" + INSTALLED, arm__urdf__r_dot_urdf="<robot/>") == {}
+
+
+def test_many_values_behind_a_long_tag_cost_no_more_than_their_length() -> None:
+    long = "b" * 50_000
+    assert (
+        written(USED, f'<robot><a c="{long}">{"x@X@" * 30_000}</a></robot>')["arm/urdf/r.urdf"].text.count(NOT_KNOWN)
+        == 30_000
+    )
+    assert written(USED, f'<robot><a c="{long}">{"x@X@" * 30_000}<b/></a></robot>') == {}
