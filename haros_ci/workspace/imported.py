@@ -14,6 +14,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from haros_ci.workspace.git import GitError, Repository, repository_of, run_git
+from haros_ci.workspace.selection import parents
 
 #: Commits of the longest history that is read, and bytes of what git prints of it.
 MOST_COMMITS = 3_000
@@ -56,23 +57,21 @@ def imports(root: Path, directories: Iterable[str]) -> Imports:
     repository = Repository(top)
     prefix = "" if root == top else f"{root.relative_to(top).as_posix()}/"
     try:
-        if repository.is_shallow:
+        most = f"--max-count={MOST_COMMITS + 1}"
+        if repository.is_shallow or int(run_git(repository, "rev-list", "--count", most, "HEAD")) > MOST_COMMITS:
             return NOTHING
         listed = run_git(repository, "ls-tree", "-r", "-z", "--name-only", "--full-tree", "HEAD", limit=MAX_LOG)
         log = run_git(
             repository,
             *("log", "-z", "--topo-order", "--no-ext-diff", "--no-textconv", "--ignore-submodules", "--no-show-signature"),
-            *("--name-status", "-M100%", "-l0", f"--max-count={MOST_COMMITS + 1}", _FORMAT, "HEAD"),
+            *("--name-status", "-M100%", "-l0", _FORMAT, "HEAD"),
             limit=MAX_LOG,
         )  # fmt: skip
     except GitError:
         return NOTHING
-    commits = list(_commits(log))
-    if len(commits) > MOST_COMMITS:
-        return NOTHING
     paths = (os.fsdecode(name) for name in listed.split(b"\0") if name)
     below = [path for path in paths if path.startswith(prefix)]
-    return _judged(commits, below, prefix, frozenset(directories))
+    return _judged(_commits(log), below, prefix, frozenset(directories))
 
 
 def _commits(log: bytes) -> Iterator[_Commit]:
@@ -102,7 +101,8 @@ def _judged(commits: Iterable[_Commit], paths: Iterable[str], prefix: str, direc
     """The files at *paths* of HEAD followed backwards through *commits*, newest first."""
     by_home: dict[str, list[str]] = defaultdict(list)
     for path in paths:
-        by_home[_home(path.removeprefix(prefix), directories)].append(path)
+        above = parents(path.removeprefix(prefix))
+        by_home[next((directory for directory in above if directory in directories), "")].append(path)
     files = _Files({path: [path] for every in by_home.values() for path in every}, {}, defaultdict(set))
     authors: set[str] = set()
     for commit in commits:
@@ -152,12 +152,3 @@ class _Files:
         paths = tuple(paths)
         came = {self.came.get(path) for path in paths}
         return None if len(came) != 1 or None in came else frozenset(path for path in paths if path in self.changed)
-
-
-def _home(path: str, directories: frozenset[str]) -> str:
-    """The innermost of *directories* that the file at *path* lies in; "" if none of them."""
-    while "/" in path:
-        path = path.rpartition("/")[0]
-        if path in directories:
-            return path
-    return ""
