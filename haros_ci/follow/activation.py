@@ -16,6 +16,7 @@ from haros_ci.follow import (
     conversions,
     copies,
     expressions,
+    guarded,
     inert,
     members,
     methods,
@@ -29,7 +30,6 @@ from haros_ci.follow.libraries import library
 from haros_ci.follow.walk import DEPTH, Walk
 from haros_ci.index.index import EITHER
 from haros_ci.index.types import STRINGS, is_smart_pointer
-from haros_ci.model.architecture import Condition
 from haros_ci.model.location import Location
 from haros_ci.syntax import Expression, Function
 from haros_ci.values.abstract import NONE, Callable, Cell, Known, Mapped, Object, Opaque, Sequence, Value, join
@@ -289,15 +289,11 @@ def follow_body(walk: Walk, inner: Frame, function: Function) -> Value:
     walk.enter(function)
     mark = inner.mark
     path = inner.source.path
-    guards = [Condition("#if", text, Location(path, line, column)) for line, column, text in function.guards]
-    depth = len(walk.conditions)
     inner.is_start = walk.judged == len(walk.active) - 1
-    walk.conditions += guards
-    left_out = sum(walk.is_compiled(path, line) is False for line, _, _ in function.guards)
-    walk.dead += left_out
     loops, walk.loops = walk.loops, []
     try:
-        ended = statements.execute(walk, inner, function.body or ())
+        with guarded.under(walk, path, function.guards):
+            ended = statements.execute(walk, inner, function.body or ())
     except RecursionError:
         if not walk.quiet:
             walk.gaps.setdefault(TOO_DEEP, Location(path, function.line))
@@ -305,8 +301,6 @@ def follow_body(walk: Walk, inner: Frame, function: Function) -> Value:
     finally:
         walk.loops = loops
         walk.active.pop()
-        walk.dead -= left_out
-        del walk.conditions[depth:]
     walk.is_raised = walk.is_raised or (ended == RAISED and not inner.exits)
     if inner.exits:
         branches = list(inner.exits)
