@@ -8,7 +8,7 @@ from collections.abc import Iterator
 
 from haros_ci.api import Check, Edit, Finding, Fix, Level, Location, Project, ProjectPackage, is_slip
 from haros_ci.api.launch import ProgramUse
-from haros_ci.api.packages import EntryPoint, LostImport, OwnModules, entry_point_mistake, renamed_module
+from haros_ci.api.packages import EntryPoint, entry_point_mistake, lost_imports, renamed_module
 
 _MARKERS = "share/ament_index/resource_index/packages"
 _NODE = re.compile(r"\brclpy\.(?:init|spin\w*|create_node)\(|\((?:\w+\.)*(?:Lifecycle)?Node\)\s*:")
@@ -32,12 +32,12 @@ def check(project: Project) -> Iterator[Finding]:
     for package in project.packages:
         yield from _entry_points(package)
         if package.raw.build_type == "ament_python" and package.has("setup.py"):
-            yield from _lost_imports(package)
+            yield from lost_imports(package, launched)
             yield from _directories(package, launched)
             yield from _marker(package)
             yield from _packages(package)
         elif package.build.python_roots:
-            yield from _lost_by_scripts(package, launched)
+            yield from lost_imports(package, launched)
 
 
 def _entry_points(package: ProjectPackage) -> Iterator[Finding]:
@@ -62,35 +62,6 @@ def _entry_points(package: ProjectPackage) -> Iterator[Finding]:
             about=(package.name, entry.text),
             apart=(entry.text,),
         )
-
-
-def _lost_imports(package: ProjectPackage) -> Iterator[Finding]:
-    """Modules of the package that its programs import, and that Python does not find."""
-    own = OwnModules(package, package.project.sources)
-    for entry_point in package.build.entry_points if package.ros == 2 else ():
-        for lost in own.lost(entry_point) if entry_point.path else ():
-            yield _lost(lost, entry_point.name, entry_point.location, package)
-
-
-def _lost_by_scripts(package: ProjectPackage, launched: set[tuple[str, str]]) -> Iterator[Finding]:
-    """The same of scripts that CMake installs, or that a launch file starts."""
-    own = OwnModules(package, package.project.sources)
-    installed = {one.path: one.location for one in package.build.installed if one.kind == "program"}
-    for path in package.build.scripts:
-        name = path.rpartition("/")[2]
-        if path in installed or (package.name, name) in launched:
-            for lost in own.lost_by_script(path):
-                yield _lost(lost, name, installed.get(path, Location(path, 1)), package)
-
-
-def _lost(lost: LostImport, program: str, place: Location, package: ProjectPackage) -> Finding:
-    return Finding(
-        at=lost.location,
-        message=f"program {program} of package {package.name} cannot start: {lost.sentence()}",
-        about=(package.name, *lost.names),
-        related=((place, f"the program {program}"),),
-        apart=(lost.location.path, *lost.names),
-    )
 
 
 def _is_there(path: str, package: ProjectPackage) -> bool:

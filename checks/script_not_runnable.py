@@ -8,6 +8,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
 from haros_ci.api import Check, Edit, Finding, Fix, Level, Location, Project, ProjectPackage, listed
+from haros_ci.api.code import parsed
 from haros_ci.api.launch import ProgramUse
 from haros_ci.api.packages import (
     Installed,
@@ -18,7 +19,6 @@ from haros_ci.api.packages import (
     is_given_to_another,
     is_imported_beside,
     is_made_program_later,
-    is_python_3,
     is_sourced,
     is_to_be_run,
     rospy_programs,
@@ -169,7 +169,7 @@ def _first_line(path: str, package: ProjectPackage, *, is_relayed: bool = False)
         )
     elif package.ros == 2 and (found := _PYTHON.match(first.rstrip("\n"))) is not None:
         fix = Fix("ask for python3", (Edit(path, (1, found.start(1) + 1), (1, found.end(1) + 1), "python3"),))
-        is_sure = found[2] is None and is_python_3(text)
+        is_sure = found[2] is None and parsed(text) is not None
         yield Finding(
             at=at,
             message=(

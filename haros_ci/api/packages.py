@@ -41,6 +41,7 @@ from haros_ci.checking.interpreted import is_given_to_another, is_imported_besid
 from haros_ci.checking.known_commands import is_well_known
 from haros_ci.checking.leftovers import Leftovers
 from haros_ci.checking.lookups import Lookup, lookups
+from haros_ci.checking.lost_imports import lost_imports
 from haros_ci.checking.manifests import (
     BUILD,
     EXEC,
@@ -103,7 +104,7 @@ from haros_ci.checking.provision import (
     others_of,
 )
 from haros_ci.checking.requirements import distributions_of, left_to_pip, normal, pinned
-from haros_ci.checking.scripts import changes_modes, gives_modes, is_python_3, rospy_programs
+from haros_ci.checking.scripts import changes_modes, gives_modes, rospy_programs
 from haros_ci.checking.set_aside import is_copy_by_name
 from haros_ci.checking.test_support import is_for_tests, only_for_tests
 from haros_ci.checking.unbuilt import SUFFIXES, loose
@@ -180,7 +181,6 @@ __all__ = [
     "Lookup",
     "LostImport",
     "Need",
-    "LostImport",
     "OwnModules",
     "Package",
     "PluginClass",
@@ -253,7 +253,6 @@ __all__ = [
     "is_of_ros",
     "is_of_tests",
     "is_program",
-    "is_python_3",
     "is_said_not_installed",
     "is_sourced",
     "is_to_be_had",
@@ -272,6 +271,7 @@ __all__ = [
     "loaders",
     "lookups",
     "loose",
+    "lost_imports",
     "lost_plugins",
     "may_appear",
     "may_be_added",

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import ast
+import warnings
 from collections.abc import Callable, Iterator
 
 from haros_ci.model.location import Location
@@ -19,9 +20,11 @@ _TESTED = (ast.If, ast.IfExp, ast.While)
 
 
 def parsed(text: str) -> ast.Module | None:
-    """The syntax of *text*; None if it has none."""
+    """The syntax of *text*; None if it has none for this Python. What Python warns of in it is not printed."""
     try:
-        return ast.parse(text)
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            return ast.parse(text)
     except (SyntaxError, ValueError, RecursionError, MemoryError):
         return None
 

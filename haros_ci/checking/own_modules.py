@@ -126,6 +126,7 @@ class OwnModules:
         return f"{place}.py" in self.package.project.workspace.names or self._is_folder(place)
 
     def _lost(self, path: str, folder: str) -> Iterator[LostImport]:
+        """What the file at *path*, and the modules below *folder* that it loads, import in vain."""
         todo = [path]
         while todo and len(self.seen) < MAX_FILES:
             path = todo.pop(0)

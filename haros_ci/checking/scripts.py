@@ -3,9 +3,7 @@
 
 from __future__ import annotations
 
-import ast
 import re
-import warnings
 
 from haros_ci.checking.project import ProjectPackage
 from haros_ci.model.build import Installed
@@ -27,17 +25,6 @@ def rospy_programs(package: ProjectPackage) -> list[str]:
     installed = (row.path for row in package.build.installed if row.kind != "directory" and row.destination in places)
     texts = {path: package.project.text(path) for path in installed}
     return [path for path, text in texts.items() if _ROSPY.search(text) and not _EITHER.search(text)]
-
-
-def is_python_3(text: str) -> bool:
-    """Whether this Python reads the text."""
-    try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")
-            ast.parse(text)
-    except (SyntaxError, ValueError, RecursionError, MemoryError):
-        return False
-    return True
 
 
 def gives_modes(script: Installed, package: ProjectPackage) -> bool:
