@@ -13,7 +13,6 @@ from haros_ci.checking.kinds import ACTION, SERVICE, TOPIC, WORDS
 from haros_ci.checking.whole import Whole
 from haros_ci.model.architecture import (
     Architecture,
-    Condition,
     Configuration,
     Endpoint,
     Node,
@@ -32,11 +31,13 @@ Fact = TypeVar("Fact")
 class End:
     """One end of a topic, service, action or parameter, with the node that has it (docs/model.md says what each attribute is)."""
 
-    __slots__ = ("node", "raw")
+    __slots__ = ("conditions", "node", "raw")
 
     def __init__(self, node: SystemNode, raw: Endpoint) -> None:
         self.node = node
         self.raw = raw
+        #: The statements around the call that may not hold, outermost first.
+        self.conditions = raw.conditions if raw.is_ruled_out else in_doubt(raw.conditions)
 
     @property
     def kind(self) -> str:
@@ -75,12 +76,6 @@ class End:
     def in_source(self) -> bool:
         """Whether its call stands in the workspace."""
         return self.raw.location is not None and self.raw.source in ("source", "exact-tier")
-
-    @property
-    def conditions(self) -> tuple[Condition, ...]:
-        """The statements around the call that may not hold, outermost first."""
-        raw = self.raw
-        return raw.conditions if raw.is_ruled_out or not raw.conditions else in_doubt(raw.conditions)
 
     @property
     def implicit(self) -> bool:

@@ -95,7 +95,7 @@ def is_below(path: str, directory: str) -> bool:
 
 
 def without_collector() -> None:
-    """Switch the garbage collector off for the rest of the process, and for its end.
+    """Switch the garbage collector off for the rest of the process, and for its end, as commands/collector.py, which cannot be imported here.
 
     pylint keeps the trees of all modules that it has read, and the collector goes through them again and again: a third of the time, for a
     tenth of the memory. How many files a process reads is bounded (schedule.BATCH_FILES), and so is its memory (process.MEMORY_LIMIT).

@@ -21,11 +21,9 @@ _MADE = 60
 _THREAD = re.compile(r"[ \t]*((?:\w+\.)?\w+)[ \t]*(?::[^=\n]{0,80})?=[ \t]*(?:[\w.]+\.)?\w*Thread\([ \t]*\)")
 _ATTRIBUTE = re.compile(r"(?:self|cls)\.(\w+)[ \t]*\(")
 _ABSTRACT = re.compile(r"\bABC(?:Meta)?\b|\babstract|\bNotImplementedError\b", re.IGNORECASE)
-
 _WORD = re.compile(r"[^\W\d]\w*")
 #: How methods call the object, the class, and the class of a class.
 _OBJECTS = frozenset(("self", "cls", "mcs", "mcls", "metacls", "klass", "this"))
-
 #: A call on one line with ``*x`` or ``**x`` among its arguments, none of which has brackets of its own before it.
 _CALL_UNPACKED = re.compile(r"[\w.]{1,200}\((?:[^()\n]{0,200},)?[ \t]{0,20}\*{1,2}[ \t]{0,20}[\w(\[{]")
 
@@ -34,8 +32,7 @@ def is_unpacked(text: str, line: int, column: int) -> bool:
     """Whether the call that begins there is given a list or dict of which each element is an argument: ``f(*args)``. *text* is without comments."""
     lines = text.split("\n")
     rest = lines[line - 1][column : column + _LONGEST] if 0 < line <= len(lines) else ""
-    called = _CALL_UNPACKED.match(rest)
-    return called is not None
+    return _CALL_UNPACKED.match(rest) is not None
 
 
 def is_placeholder(text: str, line: int) -> bool:

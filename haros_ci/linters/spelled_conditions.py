@@ -50,7 +50,7 @@ _HAS = re.compile(r"\b__has_(?!include(?:_next)?[ \t]*\([ \t]*\")\w+")
 def spelled(text: str) -> str:
     """*text* of C++ with such directives and conditions in the usual form; of the same length, or itself. Takes linear time."""
     if "%" in text:
-        text = _DIGRAPH.sub(lambda match: _with_hash(match), text)
+        text = _DIGRAPH.sub(_with_hash, text)
         if "%:" in text:
             text = _DEFINITION.sub(lambda match: _HASH_OR_TEXT.sub(_hash, match[0]), text)
     if "\\" in text:
