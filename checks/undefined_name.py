@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from haros_ci.api import Check, Finding, Level, Location, Project, listed
-from haros_ci.api.code import LOADS, commented_blocks, parsed, switched_off, undefined_names
+from haros_ci.api.code import LOADS, commented_blocks, parsed_of_any_version, switched_off, undefined_names
 
 #: A file that lacks so many names lacks its imports: one cause.
 MANY = 4
@@ -17,7 +17,7 @@ def check(project: Project) -> Iterator[Finding]:
     for file in project.workspace.files:
         if file.language != "python" or file.is_generated:
             continue
-        found = parsed(project.text(file.path))
+        found = parsed_of_any_version(project.text(file.path))
         if found is None or not found[2]:
             continue
         if file.package not in loads:

@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from haros_ci.api import Check, Finding, Level, Location, Project
-from haros_ci.api.code import misfits, parsed
+from haros_ci.api.code import misfits, parsed_of_any_version
 
 
 def check(project: Project) -> Iterator[Finding]:
@@ -14,7 +14,7 @@ def check(project: Project) -> Iterator[Finding]:
         if file.language != "python" or file.is_generated:
             continue
         text = project.text(file.path)
-        found = parsed(text) if "%" in text or "format" in text else None
+        found = parsed_of_any_version(text) if "%" in text or "format" in text else None
         for fault in misfits(found[0], found[2]) if found is not None else ():
             places = f"{fault.places} value{'s' if fault.places != 1 else ''}"
             if fault.is_open:

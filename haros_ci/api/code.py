@@ -4,13 +4,14 @@
 from __future__ import annotations
 
 from haros_ci.checking.attributes import Unset, unset_attributes
+from haros_ci.checking.branches import parsed
 from haros_ci.checking.code_text import alone
 from haros_ci.checking.old_python import (
     LOADS,
     Misfit,
     commented_blocks,
     misfits,
-    parsed,
+    parsed_of_any_version,
     switched_off,
     undefined_names,
 )
@@ -132,6 +133,7 @@ __all__ = [
     "own_method",
     "owner_of",
     "parsed",
+    "parsed_of_any_version",
     "publishes_again",
     "reached",
     "resolved",

@@ -51,7 +51,7 @@ class Misfit:
     is_open: bool = False
 
 
-def parsed(text: str) -> tuple[ast.Module, str, bool] | None:
+def parsed_of_any_version(text: str) -> tuple[ast.Module, str, bool] | None:
     """The module, the text that it was read of, and whether Python 3 refuses the file; None if nobody can read it."""
     if len(text) > MAX_SOURCE:
         return None
