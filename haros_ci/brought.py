@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
@@ -12,6 +11,7 @@ from haros_ci.config.settings import Settings
 from haros_ci.model.location import Location
 from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Problem, Workspace
+from haros_ci.regex import regex
 from haros_ci.results import own
 from haros_ci.results.result import BaselineState, Notification, Result, Run, Silenced
 from haros_ci.results.rule import Level
@@ -29,7 +29,7 @@ Unreadable = tuple[tuple[Run, ...], tuple[Result, ...]]
 
 #: What a linter says of a file that it cannot analyse, and the file that is the reason, if it is another one.
 _SAYS = " could not analyse this file: "
-_AT = re.compile(r" \((?P<path>[^()]+):\d+\)\Z")
+_AT = regex(r" \((?P<path>[^()]+):\d+\)\Z")
 #: Python of another version than the linters': honest code of which it is said.
 _NEWER_PYTHON = "it is for Python 3"
 _OTHER_PYTHON = ("it is Python 2", _NEWER_PYTHON)

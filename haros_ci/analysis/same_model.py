@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import re
 from collections import Counter
 from dataclasses import dataclass, replace
 from functools import cache
@@ -18,6 +17,7 @@ from haros_ci.index.mentions import last
 from haros_ci.keeping.moves import Lines, moves
 from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Store, Workspace
+from haros_ci.regex import regex
 from haros_ci.syntax import Program
 from haros_ci.syntax.codec import decoded
 from haros_ci.workspace.base import Base
@@ -31,7 +31,7 @@ LINE_NUMBERS = ("__LINE__", "source_location", "lineno")
 
 #: What is idle in a workspace, and the last parts of the names of its functions and classes.
 Known = tuple[Idle, frozenset[str]]
-_WORD = re.compile(r"\w+")
+_WORD = regex(r"\w+")
 
 
 @dataclass(frozen=True, slots=True)
