@@ -159,7 +159,7 @@ def load() -> None:
 
 def fill() -> None:
     """Tables that are made of the program alone, once in a process: neither the environment nor a workspace changes them."""
-    from haros_ci import own_sources, registry
+    from haros_ci import own_sources, regex, registry
     from haros_ci.analysis import api_rows
     from haros_ci.coverage import names
     from haros_ci.follow.ros import api_rows as calls
@@ -185,6 +185,9 @@ def fill() -> None:
             names.names_of,
         ):
             make(rows)
+    for made in gc.get_objects():
+        if type(made) is type(regex.regex("")):
+            made.fullmatch("" if isinstance(made.pattern, str) else b"")
 
 
 def answered(asked: dict[str, Any], ours: tuple[int, ...]) -> int | None:
