@@ -14,6 +14,7 @@ import haros_ci_checks
 import pytest
 
 import haros_ci
+import haros_ci.extract.cpp.read  # its modules cannot be imported in any order
 from haros_ci.regex import regex
 
 LAZY = type(regex(""))
