@@ -5,9 +5,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 
-from haros_ci.api import Check, Finding, Level, Location, Project, listed, regex, syntax
+from haros_ci.api import Check, Finding, Level, Location, Project, dataclass, listed, regex, syntax
 from haros_ci.api.code import Callback, Codebase, Routine, alone, base_names, callbacks, methods, owner_of
 
 _KINDS = frozenset(("subscription", "service", "timer"))

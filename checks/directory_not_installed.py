@@ -5,9 +5,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
 
-from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage, regex
+from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage, dataclass, field, regex
 from haros_ci.api.launch import FileUse
 from haros_ci.api.packages import (
     CMakeCommand,

@@ -5,9 +5,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 
-from haros_ci.api import Check, Decidability, Finding, Level, Location, System, SystemNode, regex
+from haros_ci.api import Check, Decidability, Finding, Level, Location, System, SystemNode, dataclass, regex
 
 #: Parameters that hold the name of a frame.
 _PARAMETER = regex(r"(?:^|[_./:])(?:frame|frame_id|frameid|[a-z0-9]+_frame|[a-z0-9_]+_frame_id)$")

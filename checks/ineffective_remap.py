@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field
 
 from haros_ci.api import (
     Check,
@@ -15,6 +14,8 @@ from haros_ci.api import (
     RemapRule,
     System,
     SystemNode,
+    dataclass,
+    field,
     is_given_away,
     is_idle,
     is_slip,

@@ -6,9 +6,9 @@ from __future__ import annotations
 import posixpath
 import re
 from collections.abc import Container, Iterator, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 
-from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage, listed, regex
+from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage, dataclass, field, listed, regex
 from haros_ci.api.packages import (
     MACROS,
     PluginClass,

@@ -5,9 +5,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 
-from haros_ci.api import Check, Edit, Finding, Fix, Level, Location, Project, ProjectPackage, listed, regex
+from haros_ci.api import Check, Edit, Finding, Fix, Level, Location, Project, ProjectPackage, dataclass, listed, regex
 from haros_ci.api.code import parsed
 from haros_ci.api.launch import ProgramUse
 from haros_ci.api.packages import (

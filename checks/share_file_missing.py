@@ -6,9 +6,8 @@ from __future__ import annotations
 import posixpath
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 
-from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage, regex
+from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage, dataclass, regex
 from haros_ci.api.code import weighed
 from haros_ci.api.launch import similar_files
 from haros_ci.api.packages import landings, may_appear

@@ -5,10 +5,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from difflib import SequenceMatcher
 
-from haros_ci.api import Check, Finding, Level, Location, Project, regex
+from haros_ci.api import Check, Finding, Level, Location, Project, dataclass, regex
 from haros_ci.api.robots import broadcasts
 
 #: Frames that nodes of other packages broadcast: localization, mapping, odometry.

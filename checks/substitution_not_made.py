@@ -4,9 +4,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
-from haros_ci.api import Check, Finding, Level, Location, Parameter, Project, regex
+from haros_ci.api import Check, Finding, Level, Location, Parameter, Project, dataclass, regex
 from haros_ci.api.packages import Element
 
 #: By ROS. A command of the shell begins alike (``$(find . -name x)``, ``$(env -i x)``), and so do things to be filled in (``$(NAME)``).

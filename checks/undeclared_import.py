@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from haros_ci.api import (
     Check,
@@ -15,6 +15,7 @@ from haros_ci.api import (
     Location,
     Project,
     ProjectPackage,
+    dataclass,
     line_of,
     listed,
     regex,

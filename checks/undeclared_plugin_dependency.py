@@ -5,10 +5,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Container, Iterator, Mapping
-from dataclasses import dataclass
 from functools import partial
 
-from haros_ci.api import Check, Finding, Level, Location, Project, System, listed, regex, spelled_out
+from haros_ci.api import Check, Finding, Level, Location, Project, System, dataclass, listed, regex, spelled_out
 from haros_ci.api.launch import FileUse, PackageUse, ParameterFileUse, owner
 from haros_ci.api.packages import (
     Package,

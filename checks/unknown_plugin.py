@@ -5,9 +5,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
-from haros_ci.api import Check, Finding, Level, Location, Project, is_slip, regex
+from haros_ci.api import Check, Finding, Level, Location, Project, dataclass, is_slip, regex
 from haros_ci.api.packages import (
     PLUGIN_NAME,
     Build,

@@ -4,13 +4,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from haros_ci.config.settings import Settings
 from haros_ci.model.location import Location
 from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Problem, Workspace
+from haros_ci.records import dataclass
 from haros_ci.regex import regex
 from haros_ci.results import own
 from haros_ci.results.result import BaselineState, Notification, Result, Run, Silenced

@@ -16,6 +16,7 @@ DOORS: dict[str, set[str]] = {
     "__init__": set(),
     "model": set(),
     "errors": set(),
+    "records": set(),
     "regex": set(),
     "timing": set(),
     "bounded_python": set(),
@@ -276,6 +277,8 @@ DOORS: dict[str, set[str]] = {
         "workspace",
     },
 }
+#: What modules are made with: regular expressions and data classes. ``haros_ci`` itself has the version and the address.
+TOOLS = ("records", "regex")
 PURE_ROOMS = {"model", "results"}
 EFFECTS = {"subprocess", "socket", "shutil", "tempfile", "multiprocessing"}
 #: A module that has more is of several nouns. There are no exceptions: whatever would be one is split.
@@ -301,9 +304,9 @@ def imports(tree: ast.AST) -> set[str]:
 
 
 def door_breaks(here: str, names: set[str]) -> set[str]:
-    """The rooms among *names* that *here* may not open; ``haros_ci`` itself (version, address) and ``regex`` are open to all."""
+    """The rooms among *names* that *here* may not open; what all modules are made with is open to all."""
     rooms = {name.split(".")[1] for name in names if name.startswith("haros_ci.")}
-    return {there for there in rooms & DOORS.keys() if there not in (here, "regex") and there not in DOORS[here]}
+    return {there for there in rooms & DOORS.keys() if there not in (here, *TOOLS) and there not in DOORS[here]}
 
 
 def modules() -> list[Path]:

@@ -6,7 +6,6 @@ from __future__ import annotations
 import posixpath
 import re
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
 
 from haros_ci.code.classes import absolute
 from haros_ci.code.codebase import Codebase
@@ -18,6 +17,7 @@ from haros_ci.model.coverage import EXAMPLE, PRODUCTION, TEST
 from haros_ci.model.package import Package
 from haros_ci.model.unbuilt import is_whole
 from haros_ci.model.workspace import Workspace
+from haros_ci.records import dataclass
 from haros_ci.regex import regex
 
 #: Names of folders, inside a package, for code that shows how others are used.

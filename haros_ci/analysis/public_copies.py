@@ -10,13 +10,14 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from haros_ci.analysis.imported_copies import imported
 from haros_ci.config.settings import Settings
 from haros_ci.knowledge.knowledge import knowledge
 from haros_ci.model.package import Package
 from haros_ci.model.workspace import Workspace
+from haros_ci.records import dataclass
 from haros_ci.regex import regex
 from haros_ci.workspace.third_party import around
 

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cache
 from itertools import pairwise
 
@@ -17,6 +17,7 @@ from haros_ci.index.mentions import last
 from haros_ci.keeping.moves import Lines, moves
 from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Store, Workspace
+from haros_ci.records import dataclass
 from haros_ci.regex import regex
 from haros_ci.syntax import Program
 from haros_ci.syntax.codec import decoded

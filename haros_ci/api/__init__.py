@@ -38,6 +38,7 @@ from haros_ci.model.architecture import (
 )
 from haros_ci.model.location import Location
 from haros_ci.model.presence import ALWAYS, Presence, together
+from haros_ci.records import dataclass, field
 from haros_ci.regex import regex
 from haros_ci.results.fix import Edit, Fix
 from haros_ci.results.rule import Level
@@ -101,5 +102,7 @@ __all__ = [
     "type_mismatches",
     "unmet",
     "way_to",
+    "dataclass",
+    "field",
     "regex",
 ]

@@ -4,12 +4,12 @@
 from __future__ import annotations
 
 from bisect import bisect_right
-from dataclasses import dataclass
 from typing import Any, ClassVar
 
 from haros_ci.behaviour.tree import Place
 from haros_ci.bounded_yaml import MERGE, TAG, Composer, Scalar, YamlFault, YamlLimits
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass
 from haros_ci.regex import regex
 
 LIMITS = YamlLimits(1_000_000, 50, 100_000, 1_000)

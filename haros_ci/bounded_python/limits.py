@@ -5,10 +5,10 @@ from __future__ import annotations
 
 import ast
 import warnings
-from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any
 
+from haros_ci.records import dataclass
 from haros_ci.regex import regex
 
 #: The formats of ``%`` that make nothing longer than what they are given.

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass
 from typing import TypeAlias, TypeGuard
 
 from haros_ci import syntax
@@ -18,6 +17,7 @@ from haros_ci.changes.endpoints import WORDS
 from haros_ci.changes.names import UNKNOWN
 from haros_ci.model.api import Row, Template
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass
 from haros_ci.regex import regex
 from haros_ci.syntax import Expression, Program
 from haros_ci.syntax.walk import preorder

@@ -10,12 +10,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Container, Iterable, Mapping
-from dataclasses import dataclass, field
 from functools import cached_property
 
 from haros_ci.changes.change import ADDED, REMOVED, Difference
 from haros_ci.changes.endpoints import WORDS
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass, field
 from haros_ci.regex import regex
 from haros_ci.syntax import Program
 

@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Set
-from dataclasses import dataclass
 
 from haros_ci import syntax
 from haros_ci.checking.code_text import alone
@@ -18,6 +17,7 @@ from haros_ci.checking.project import Project
 from haros_ci.code.classes import Owner, bases
 from haros_ci.code.codebase import Codebase, Routine
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass
 from haros_ci.regex import regex
 from haros_ci.syntax import Block, Expression
 from haros_ci.syntax.walk import below, everything

@@ -9,10 +9,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
 
 from haros_ci import syntax
 from haros_ci.code.body import last_part
+from haros_ci.records import dataclass, field
 from haros_ci.regex import regex
 from haros_ci.syntax import Block, Expression, Function, Program, Statement
 from haros_ci.syntax.walk import everything

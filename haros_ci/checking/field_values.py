@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from haros_ci import syntax
 from haros_ci.checking.message_fields import Typed, expressions, typed_routines
@@ -20,6 +19,7 @@ from haros_ci.code.kinds import dotted
 from haros_ci.interfaces.definitions import FieldType, field_type
 from haros_ci.interfaces.structs import Struct
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass
 from haros_ci.regex import regex
 from haros_ci.syntax import Expression
 

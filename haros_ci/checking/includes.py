@@ -6,12 +6,12 @@ from __future__ import annotations
 import posixpath
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import lru_cache
 
 from haros_ci.checking.project import ProjectPackage
 from haros_ci.checking.provision import Sources
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass
 from haros_ci.regex import regex
 
 _COMMENT = regex(r"/\*.*?(?:\*/|\Z)", re.S)  # one that is not closed goes to the end

@@ -5,9 +5,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
-from dataclasses import dataclass
 
 from haros_ci.model.workspace import Workspace
+from haros_ci.records import dataclass
 from haros_ci.regex import regex
 
 #: What loads a launch file, and what asks for its arguments or has all of them.

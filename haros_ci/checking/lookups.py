@@ -4,12 +4,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from haros_ci.checking.imports import used_files
 from haros_ci.checking.optional import depends_on_package
 from haros_ci.checking.project import ProjectPackage
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass
 from haros_ci.regex import regex
 
 _CALL = regex(

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 
 from haros_ci import syntax
 from haros_ci.checking.code_text import alone
@@ -23,6 +22,7 @@ from haros_ci.code.kinds import attribute_values, dotted
 from haros_ci.interfaces.definitions import Definitions
 from haros_ci.interfaces.structs import Struct, Structs
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass
 from haros_ci.regex import regex
 from haros_ci.syntax import Block, Expression
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 from functools import lru_cache
 
 from haros_ci.checking.boost import HEADERS, brings_boost
@@ -16,6 +15,7 @@ from haros_ci.checking.provision import Provisions, Sources, exists, first_provi
 from haros_ci.knowledge.knowledge import Knowledge
 from haros_ci.model.build import CMakeCommand
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass
 from haros_ci.regex import regex
 
 #: Commands that bring files from elsewhere into a build, which a reader of the sources does not see.

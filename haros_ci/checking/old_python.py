@@ -10,8 +10,8 @@ import string
 import symtable
 import warnings
 from collections.abc import Collection, Iterator, Mapping
-from dataclasses import dataclass
 
+from haros_ci.records import dataclass
 from haros_ci.regex import regex
 from haros_ci.results.code_alone import code_alone
 

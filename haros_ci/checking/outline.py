@@ -5,9 +5,9 @@ from __future__ import annotations
 
 import re
 from bisect import bisect_right
-from dataclasses import dataclass, field
 
 from haros_ci.model.element import Element
+from haros_ci.records import dataclass, field
 from haros_ci.regex import regex
 from haros_ci.results.fix import Edit, Point
 

@@ -7,7 +7,6 @@ import ast
 import re
 import sys
 from collections.abc import Iterator
-from dataclasses import dataclass, field
 from difflib import get_close_matches
 
 from haros_ci.checking.appearing import may_appear
@@ -17,6 +16,7 @@ from haros_ci.checking.project import ProjectPackage
 from haros_ci.checking.provision import Sources
 from haros_ci.model.build import EntryPoint
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass, field
 from haros_ci.regex import regex
 
 #: What lets Python find modules elsewhere, or makes them while it runs.

@@ -21,8 +21,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
 
+from haros_ci.records import dataclass, field
 from haros_ci.regex import regex
 
 #: Titles of the files of the base revision begin with it.

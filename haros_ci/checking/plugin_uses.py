@@ -5,13 +5,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from haros_ci.bounded_yaml import YamlFault, YamlLimits, nodes
 from haros_ci.checking.system import System
 from haros_ci.model.architecture import Parameter
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass
 from haros_ci.regex import regex
 
 if TYPE_CHECKING:

@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable, Hashable, Iterator, Mapping
-from dataclasses import dataclass
 from functools import cached_property
 from typing import TypeVar, cast
 
@@ -13,6 +12,7 @@ from haros_ci.checking.manifests import counted
 from haros_ci.checking.project import Project, ProjectPackage
 from haros_ci.model.location import Location
 from haros_ci.model.package import Package
+from haros_ci.records import dataclass
 from haros_ci.regex import regex
 
 T = TypeVar("T")

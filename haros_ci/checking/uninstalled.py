@@ -6,7 +6,6 @@ from __future__ import annotations
 import posixpath
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 
 from haros_ci.checking.installing import is_said_not_installed, landings, left_out_on_purpose
 from haros_ci.checking.interpreted import is_given_to_another
@@ -14,6 +13,7 @@ from haros_ci.checking.project import Project, ProjectPackage
 from haros_ci.model.build import PluginClass, Target
 from haros_ci.model.launch_facts import ProgramUse
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass
 from haros_ci.regex import regex
 from haros_ci.results.rule import Level
 

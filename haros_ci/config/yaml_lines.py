@@ -6,12 +6,13 @@ Neither nesting nor aliases are expanded before they are counted; no tag constru
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any, ClassVar
 
 from haros_ci.bounded_yaml import MERGE, TAG, Composer, Scalar, YamlFault, YamlLimits
 from haros_ci.config.suggestion import quoted
 from haros_ci.errors import UserError
+from haros_ci.records import dataclass
 from haros_ci.regex import regex
 
 MAX_BYTES = 1_000_000

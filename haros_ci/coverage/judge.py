@@ -6,7 +6,6 @@ from __future__ import annotations
 import re
 from bisect import bisect_right
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, field
 
 from haros_ci import syntax
 from haros_ci.code import calls, classes, kinds
@@ -16,6 +15,7 @@ from haros_ci.coverage.names import Names
 from haros_ci.coverage.pieces import Piece, last_name
 from haros_ci.coverage.search import TextCall
 from haros_ci.index.index import Source
+from haros_ci.records import dataclass, field
 from haros_ci.regex import regex
 from haros_ci.syntax import Type
 

@@ -5,11 +5,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 from heapq import heappop, heappush
 
 from haros_ci.coverage.blanked import closings
 from haros_ci.index.index import Source
+from haros_ci.records import dataclass
 from haros_ci.regex import regex
 from haros_ci.syntax import Class, Function
 

@@ -5,11 +5,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import lru_cache
 
 from haros_ci.coverage.blanked import closed
 from haros_ci.coverage.names import Names
+from haros_ci.records import dataclass
 from haros_ci.regex import regex
 
 #: Characters of a call that are shown.

@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
 from difflib import get_close_matches
 from pathlib import PurePosixPath
 from typing import Any
@@ -13,6 +12,7 @@ from typing import Any
 from haros_ci.model.location import Location
 from haros_ci.model.package import Package
 from haros_ci.model.workspace import Problem
+from haros_ci.records import dataclass, field
 from haros_ci.regex import regex
 
 #: Kinds of endpoints: key of the name, key of the type, key of the value, what one is called.

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 
 from haros_ci import syntax
 from haros_ci.code import kinds
@@ -14,6 +14,7 @@ from haros_ci.dependence.steps import Step, steps
 from haros_ci.dependence.targets import is_of_workspace
 from haros_ci.dependence.variables import Held, chain, held
 from haros_ci.index.types import SMART_POINTERS
+from haros_ci.records import dataclass, field
 from haros_ci.regex import regex
 from haros_ci.syntax import Expression
 

@@ -4,10 +4,10 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass, field
 
 from haros_ci.bounded_yaml import Scalar, YamlFault
 from haros_ci.extract.parameter_library_yaml import Value, parse_yaml
+from haros_ci.records import dataclass, field
 from haros_ci.regex import regex
 
 MAX_PROBLEMS = 100

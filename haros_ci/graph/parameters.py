@@ -5,12 +5,13 @@ from __future__ import annotations
 
 import posixpath
 from collections.abc import Iterable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cached_property
 from hashlib import blake2b
 from typing import Any
 
 from haros_ci.model.architecture import Condition, Parameter
+from haros_ci.records import dataclass
 from haros_ci.regex import regex
 from haros_ci.substitutions.files import Files
 from haros_ci.substitutions.names import Text, literal

@@ -4,9 +4,9 @@
 from __future__ import annotations
 
 import shlex
-from dataclasses import dataclass
 from math import isfinite
 
+from haros_ci.records import dataclass
 from haros_ci.regex import regex
 
 

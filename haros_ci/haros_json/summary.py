@@ -5,13 +5,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
 from math import isfinite
 from typing import Any
 
 from haros_ci.model.build import Build
 from haros_ci.model.measurement import Measurement
 from haros_ci.model.package import SourceFile
+from haros_ci.records import dataclass
 from haros_ci.regex import regex
 
 NODELET = "nodelet::Nodelet"

@@ -8,11 +8,12 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import cast
 
 from haros_ci import syntax
 from haros_ci.index.mentions import last
+from haros_ci.records import dataclass
 from haros_ci.regex import regex
 from haros_ci.syntax import Block, Function, Program, Statement
 from haros_ci.syntax.codec import plain

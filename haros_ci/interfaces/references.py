@@ -8,8 +8,8 @@ modules ``pkg.msg``, ``pkg.srv`` and ``pkg.action``. Of a service or action they
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 
+from haros_ci.records import dataclass
 from haros_ci.regex import regex
 
 #: Endings of the types that are made of a service or action, besides its name.

@@ -4,10 +4,10 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 
 from haros_ci.interfaces.definitions import Definitions, field_type
 from haros_ci.model.build import Interface, InterfaceField
+from haros_ci.records import dataclass
 from haros_ci.regex import regex
 
 #: Methods and such of all generated classes: rosidl_generator_py, genpy.

@@ -6,10 +6,10 @@ from __future__ import annotations
 import ast
 import re
 from collections.abc import Callable
-from dataclasses import dataclass
 
 from haros_ci.linters.pylint_idioms import nodes
 from haros_ci.linters.python_bindings import is_bound
+from haros_ci.records import dataclass
 from haros_ci.regex import regex
 
 #: What SCons makes global in its scripts (its manual: "SConscript Functions", "Builders", "Command-Line Construction Variables", "Action Objects").

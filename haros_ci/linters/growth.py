@@ -10,11 +10,11 @@ from __future__ import annotations
 import ast
 import re
 from collections.abc import Collection, Iterable, Iterator, Mapping
-from dataclasses import dataclass
 from itertools import islice
 
 from haros_ci.linters.linter import Unit
 from haros_ci.model.workspace import Workspace
+from haros_ci.records import dataclass
 from haros_ci.regex import regex
 from haros_ci.results.comments import SPLICE
 

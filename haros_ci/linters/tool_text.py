@@ -5,11 +5,11 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, field
 
 from haros_ci.linters.tool_xml import elements
 from haros_ci.model.declared_tool import DeclaredTool
 from haros_ci.model.digits import whole_number
+from haros_ci.records import dataclass, field
 from haros_ci.regex import regex
 from haros_ci.results.linear_regex import compiled
 

@@ -3,8 +3,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
-
+from haros_ci.records import dataclass, field
 from haros_ci.regex import regex
 
 #: Characters that XML 1.0 does not allow (§2.2), which a tool may copy from a source; decoding leaves no surrogates.

@@ -10,7 +10,7 @@ from __future__ import annotations
 import hashlib
 import re
 from collections.abc import Collection, Iterable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any, cast
 
 from haros_ci.linters.linter import REFUTED, SILENCED, Linter, LintOptions, Unit
@@ -19,6 +19,7 @@ from haros_ci.linters.run import lint
 from haros_ci.linters.work import is_asked_for, units_of
 from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Reader, Store, Workspace
+from haros_ci.records import dataclass
 from haros_ci.regex import regex
 from haros_ci.results.comments import comments, lines_of, syntax
 from haros_ci.results.result import Result, Run

@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass, field
 
 from tree_sitter import Node
 
@@ -17,6 +16,7 @@ from haros_ci.extract.cpp.unit import DEEPEST, Unit, unit_of
 from haros_ci.measuring.cpp_body import CppBody
 from haros_ci.measuring.cpp_mentions import mentions
 from haros_ci.measuring.facts import MOST_PROBLEMS, TOO_DEEP, ClassFacts, FileFacts, FunctionFacts
+from haros_ci.records import dataclass, field
 from haros_ci.regex import regex
 
 _BODY, _NAME = field_of("body"), field_of("name")

@@ -77,10 +77,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any
 
+from haros_ci.records import dataclass
 from haros_ci.regex import regex
 
 ENTRY_KINDS = (

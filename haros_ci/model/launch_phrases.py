@@ -3,10 +3,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from haros_ci.model.launch_actions import Phrase, Substitution
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass
 from haros_ci.regex import regex
 
 #: How deep substitutions may be nested.

@@ -5,12 +5,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
 from typing import Any
 
 from haros_ci.monitor_files.classes import Described
 from haros_ci.monitor_files.core import CORE, PROGRAM, module_text, properties_text
 from haros_ci.monitor_files.literals import literal
+from haros_ci.records import dataclass, field
 from haros_ci.regex import regex
 
 HEAD = '''\

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
 
 from haros_ci.model.location import Location
 from haros_ci.query.calls import RosCall
@@ -15,6 +14,7 @@ from haros_ci.query.resources import NodeInstance, QueryParameter, Resource
 from haros_ci.query.source import SourceEntity
 from haros_ci.query.system import QuerySystem
 from haros_ci.query.values import QueryEntity, Value, words
+from haros_ci.records import dataclass
 from haros_ci.regex import regex
 from haros_ci.results.own import TOOL
 from haros_ci.results.result import Related, Result

@@ -4,9 +4,9 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 
 from haros_ci.query.fault import QueryError, short
+from haros_ci.records import dataclass
 from haros_ci.regex import regex
 
 #: Longer ones are refused; the longest of HAROS's published queries has 700 characters.

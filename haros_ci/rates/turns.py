@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from haros_ci import syntax
 from haros_ci.code import classes, kinds
@@ -12,6 +11,7 @@ from haros_ci.code.body import Call
 from haros_ci.code.codebase import Codebase, Routine
 from haros_ci.model.location import Location
 from haros_ci.rates.sleeps import every_turn, hertz, rate_slept, seconds, turns_of
+from haros_ci.records import dataclass
 from haros_ci.regex import regex
 from haros_ci.syntax import Block, Expression, Statement
 from haros_ci.syntax.walk import everything

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
 from itertools import product
 
 from haros_ci import syntax
@@ -17,6 +16,7 @@ from haros_ci.model.rates import Rate, at_most, either, exactly, unknown
 from haros_ci.rates.assigned import Assigned, Given, bound, callers, of_local, of_member
 from haros_ci.rates.made import REAL, duration, frequency, of_period, position_of
 from haros_ci.rates.runs import runs
+from haros_ci.records import dataclass, field
 from haros_ci.regex import regex
 from haros_ci.syntax import Expression
 from haros_ci.syntax.walk import everything

@@ -10,9 +10,9 @@ from __future__ import annotations
 import html
 import re
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
 from html.parser import HTMLParser
 
+from haros_ci.records import dataclass
 from haros_ci.regex import regex
 
 LONGEST_CELL = 2_000

@@ -7,11 +7,12 @@ import hashlib
 import re
 import uuid
 from collections.abc import Callable
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 from typing import Any
 from urllib.parse import quote
 
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass, field
 from haros_ci.regex import regex
 from haros_ci.report.escape import REPLACEMENT, terminal
 from haros_ci.report.message import label, linked, literal, number, sentence

@@ -5,8 +5,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 
+from haros_ci.records import dataclass
 from haros_ci.regex import regex
 
 #: A quote in a number of at most 90 characters separates digits (``1'000``); one behind any other word begins a character (``case'a'``).

@@ -5,10 +5,11 @@ from __future__ import annotations
 
 from bisect import bisect_left
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 from hashlib import sha256
 from itertools import islice
 
+from haros_ci.records import dataclass, field
 from haros_ci.regex import regex
 from haros_ci.results.comments import bare, lines_of, syntax
 from haros_ci.results.line_hash import github_line_hashes

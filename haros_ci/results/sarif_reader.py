@@ -6,9 +6,9 @@ from __future__ import annotations
 import re
 from collections import Counter
 from collections.abc import Sequence
-from dataclasses import dataclass, field
 
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass, field
 from haros_ci.regex import regex
 from haros_ci.results.fingerprint import message_template, restore_identity
 from haros_ci.results.json_shape import boolean, items, mapping, natural, number, string, strings

@@ -5,8 +5,9 @@ from __future__ import annotations
 
 import re
 from bisect import bisect_right
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 
+from haros_ci.records import dataclass, field
 from haros_ci.regex import regex
 from haros_ci.results.comments import C_SKIPPED
 from haros_ci.results.declaration import KEYS, DeclarationKind, classify

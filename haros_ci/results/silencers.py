@@ -5,8 +5,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 
+from haros_ci.records import dataclass
 from haros_ci.regex import regex
 from haros_ci.results.comments import SPLICE, Comment, comments, lines_of
 

@@ -10,9 +10,10 @@ from __future__ import annotations
 
 from collections import Counter, defaultdict
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from posixpath import dirname, splitext
 
+from haros_ci.records import dataclass
 from haros_ci.regex import regex
 from haros_ci.results.across import cause, places_named
 from haros_ci.results.alike import UNITED

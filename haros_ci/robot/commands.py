@@ -5,8 +5,8 @@ from __future__ import annotations
 
 import shlex
 from collections.abc import Mapping
-from dataclasses import dataclass
 
+from haros_ci.records import dataclass
 from haros_ci.regex import regex
 from haros_ci.robot.places import as_xacro
 from haros_ci.robot.unknown import UNKNOWN, UnknownValue

@@ -6,7 +6,7 @@ from __future__ import annotations
 import re
 from collections import Counter
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 
 from haros_ci.launch.facts.files import Finder
 from haros_ci.model.build import Build
@@ -14,6 +14,7 @@ from haros_ci.model.location import Location
 from haros_ci.model.package import Package
 from haros_ci.model.robot import Description, Robot
 from haros_ci.model.workspace import Problem, Workspace
+from haros_ci.records import dataclass, field
 from haros_ci.regex import regex
 from haros_ci.robot.commands import xacro_command
 from haros_ci.robot.places import by_builds, found

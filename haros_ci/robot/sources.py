@@ -6,10 +6,10 @@ from __future__ import annotations
 import fnmatch
 import posixpath
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
 
 from haros_ci.model.build import NOT_KNOWN, WrittenFile
 from haros_ci.model.workspace import Problem, Workspace
+from haros_ci.records import dataclass, field
 from haros_ci.regex import regex
 from haros_ci.robot.nodes import XmlNode, nodes_of
 from haros_ci.robot.unknown import UNKNOWN

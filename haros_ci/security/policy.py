@@ -9,10 +9,10 @@ from __future__ import annotations
 
 import posixpath
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
 
 from haros_ci.model.element import Element
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass
 from haros_ci.regex import regex
 from haros_ci.security.permissions import ENDS, LISTS, Permission
 

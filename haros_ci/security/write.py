@@ -9,10 +9,10 @@ relative, others in full. Lists and entries are sorted, so that the same system 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 from xml.sax.saxutils import escape, quoteattr
 
 from haros_ci.model.architecture import Node
+from haros_ci.records import dataclass
 from haros_ci.regex import regex
 from haros_ci.security.enclaves import enclave_of
 from haros_ci.security.permissions import ENDS, LISTS

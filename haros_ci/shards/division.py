@@ -6,9 +6,9 @@ from __future__ import annotations
 import hashlib
 import json
 from collections.abc import Sequence
-from dataclasses import dataclass
 from heapq import heapify, heapreplace
 
+from haros_ci.records import dataclass
 from haros_ci.regex import regex
 
 #: As many jobs as a matrix may have.

@@ -4,10 +4,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, field
 
 from haros_ci.model.architecture import Unknown
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass, field
 from haros_ci.regex import regex
 
 #: Stands for an unknown part inside a text; shown as ``?``.

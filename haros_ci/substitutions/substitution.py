@@ -5,9 +5,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 
 from haros_ci.model.environment import chosen_of, lost_of
+from haros_ci.records import dataclass, field
 from haros_ci.regex import regex
 from haros_ci.substitutions.expression import ExpressionScopes, Undecided, Wrong, evaluate
 from haros_ci.substitutions.names import Text, join_texts, literal, quoted, unknown

@@ -7,10 +7,11 @@ As rosparam reads it (wiki rosparam, "YAML format"): YAML 1.1, ``deg(...)``, ``r
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any, ClassVar
 
 from haros_ci.bounded_yaml import MAX_NUMBER, MERGE, TAG, Composer, YamlFault, YamlLimits
+from haros_ci.records import dataclass
 from haros_ci.regex import regex
 from haros_ci.substitutions.expression import ExpressionScopes, Undecided, Wrong, compute
 from haros_ci.substitutions.names import MARK, Text, quoted, unknown

@@ -10,10 +10,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
 
 from haros_ci.index.compiled import CompiledAs
 from haros_ci.model.build import Build, CMakeCommand, Target
+from haros_ci.records import dataclass, field
 from haros_ci.regex import regex
 
 _SCOPES = ("PRIVATE", "PUBLIC", "INTERFACE")

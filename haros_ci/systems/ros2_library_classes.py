@@ -5,13 +5,13 @@ from __future__ import annotations
 
 from bisect import bisect_right
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
 from functools import partial
 
 from haros_ci import syntax
 from haros_ci.index.index import HEADERS, Index, Source
 from haros_ci.index.relevance import Relevance
 from haros_ci.index.types import pointee, resolve_type
+from haros_ci.records import dataclass
 from haros_ci.regex import regex
 from haros_ci.syntax import Class, Function, Type
 from haros_ci.systems.entries import files_of

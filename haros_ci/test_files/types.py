@@ -5,11 +5,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
 
 from haros_ci.behaviour.messages import FLOATS, INTEGERS, TEXTS, Constant, Message, Messages
 from haros_ci.interfaces.definitions import FieldType, field_type
 from haros_ci.monitor_files.literals import literal
+from haros_ci.records import dataclass, field
 from haros_ci.regex import regex
 from haros_ci.test_files.names import identifier
 

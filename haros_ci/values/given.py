@@ -9,9 +9,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
 from math import isfinite
 
+from haros_ci.records import dataclass, field
 from haros_ci.regex import regex
 from haros_ci.values.abstract import Character, Choice, Known, Opaque, Text, Value, concatenate
 from haros_ci.values.marks import BEGIN, END, filled, keys

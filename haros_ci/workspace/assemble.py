@@ -5,11 +5,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 
 from haros_ci.model.package import Package, SourceFile
 from haros_ci.model.workspace import Buffer, Hiding, Problem, Workspace
+from haros_ci.records import dataclass
 from haros_ci.regex import regex
 from haros_ci.workspace.content import examine
 from haros_ci.workspace.files import TextReader

@@ -9,8 +9,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import dataclass
 
+from haros_ci.records import dataclass
 from haros_ci.regex import regex
 from haros_ci.workspace.build_definitions import is_macro_name, renamings
 from haros_ci.workspace.build_flags import OF_SIZES, changes_sizes, odd_flags

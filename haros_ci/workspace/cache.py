@@ -6,12 +6,12 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass
 from pathlib import Path
 from typing import TypeVar
 from zlib import crc32
 
 from haros_ci.errors import UserError
+from haros_ci.records import dataclass
 from haros_ci.regex import regex
 from haros_ci.timing import timed
 from haros_ci.workspace.cache_shard import CacheFile

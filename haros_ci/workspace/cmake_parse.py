@@ -4,8 +4,8 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass, field
 
+from haros_ci.records import dataclass, field
 from haros_ci.regex import regex
 
 MAX_DEPTH = 60

@@ -5,12 +5,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass, field
 
 from haros_ci.model.build import CMakeCommand
 from haros_ci.model.location import Location
 from haros_ci.model.package import Package
 from haros_ci.model.workspace import Problem
+from haros_ci.records import dataclass, field
 from haros_ci.regex import regex
 from haros_ci.workspace.cmake_choices import may_be_given
 from haros_ci.workspace.cmake_parse import CMakeArgument, ParsedCommand

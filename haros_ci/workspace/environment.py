@@ -6,13 +6,13 @@ from __future__ import annotations
 import re
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
 from itertools import islice
 
 from haros_ci.model.build import Build, CMakeCommand
 from haros_ci.model.environment import Environment
 from haros_ci.model.launch_actions import SHARE
 from haros_ci.model.workspace import Workspace
+from haros_ci.records import dataclass
 from haros_ci.regex import regex
 from haros_ci.workspace.dotenv import read_dotenv
 from haros_ci.workspace.shell_values import names_set

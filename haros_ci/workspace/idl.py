@@ -7,9 +7,9 @@ What is not of this form leaves the definition incomplete, and is never guessed.
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass, field
 
 from haros_ci.model.build import InterfaceField
+from haros_ci.records import dataclass, field
 from haros_ci.regex import regex
 
 MAX_TOKENS = 100_000

@@ -6,8 +6,8 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from collections.abc import Set as AbstractSet
-from dataclasses import dataclass, field
 
+from haros_ci.records import dataclass, field
 from haros_ci.regex import regex
 from haros_ci.workspace.shell_words import HOLE, Part, ShellVariable, UnreadableScript, Word
 

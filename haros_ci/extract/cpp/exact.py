@@ -10,11 +10,11 @@ import json
 import math
 import os
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 from haros_ci.model.workspace import Problem
+from haros_ci.records import dataclass
 from haros_ci.regex import regex
 
 #: Path, line and column where a call begins, as in ``haros_ci.syntax``.

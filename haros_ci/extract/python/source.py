@@ -6,9 +6,9 @@ from __future__ import annotations
 import ast
 from bisect import bisect_left
 from collections.abc import Mapping
-from dataclasses import dataclass
 
 from haros_ci import syntax
+from haros_ci.records import dataclass
 from haros_ci.regex import regex
 
 #: A changed piece of a line: (column in the parsed line, column in the file's, characters put in, characters taken

@@ -6,7 +6,7 @@ from __future__ import annotations
 import posixpath
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 from itertools import islice
 
 from haros_ci.model.build import Build, Installed, WrittenFile
@@ -15,6 +15,7 @@ from haros_ci.model.program_words import before_return
 from haros_ci.model.similar_files import similar_files
 from haros_ci.model.submodules import absent, is_below
 from haros_ci.model.workspace import Workspace
+from haros_ci.records import dataclass, field
 from haros_ci.regex import regex
 from haros_ci.substitutions.files import Files, files_of
 

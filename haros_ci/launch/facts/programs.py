@@ -6,13 +6,14 @@ from __future__ import annotations
 import posixpath
 import re
 from collections.abc import Collection, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 
 from haros_ci.launch.facts.files import Finder
 from haros_ci.model.build import Build
 from haros_ci.model.launch_facts import ProgramUse
 from haros_ci.model.program_words import is_called_otherwise, is_not_made, may_make_program
 from haros_ci.model.similar_files import similar_names
+from haros_ci.records import dataclass, field
 from haros_ci.regex import regex
 
 #: Commands of CMake that make programs under names of their own.

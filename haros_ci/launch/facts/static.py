@@ -5,11 +5,11 @@ from __future__ import annotations
 
 import posixpath
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, field
 from typing import Any
 
 from haros_ci.launch.ros2.places import Places
 from haros_ci.model.launch_actions import SHARE, WORKSPACE, Action, Description, Phrase, Substitution
+from haros_ci.records import dataclass, field
 from haros_ci.regex import regex
 
 _VAR = regex(r"\$\(\s*var\s+(?:'([^']*)'|\"([^\"]*)\"|([^\s)'\"]+))")

@@ -9,11 +9,11 @@ from __future__ import annotations
 
 import math
 import re
-from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any, Union
 
 from haros_ci.bounded_yaml import MAX_NUMBER, MERGE, TAG, YamlFault, YamlLimits, nodes, scalar_value
+from haros_ci.records import dataclass
 from haros_ci.regex import regex
 from haros_ci.substitutions.names import MARK, Text
 

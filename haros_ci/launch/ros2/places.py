@@ -6,11 +6,11 @@ from __future__ import annotations
 import posixpath
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass, field
 from typing import Any
 
 from haros_ci.model.build import Build
 from haros_ci.model.workspace import Workspace
+from haros_ci.records import dataclass, field
 from haros_ci.regex import regex
 from haros_ci.substitutions.files import Files, Place, files_of
 from haros_ci.substitutions.names import Text, quoted

@@ -7,9 +7,10 @@ rosbag and rostopic of ROS 1, ``ros2 bag`` and ``ros2 topic`` of ROS 2. What the
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 
 from haros_ci.graph.names import UNKNOWN
+from haros_ci.records import dataclass, field
 from haros_ci.regex import regex
 from haros_ci.systems.known.entry import KnownEndpoint, KnownNode
 from haros_ci.systems.known.text import Hole

@@ -5,12 +5,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from difflib import get_close_matches
 from typing import Any, TypeVar
 
 from haros_ci.model.architecture import KINDS
 from haros_ci.model.workspace import Problem
+from haros_ci.records import dataclass
 from haros_ci.regex import regex
 from haros_ci.systems.known import text
 from haros_ci.systems.known.entry import KnownEndpoint, KnownNode, Policies

@@ -4,8 +4,8 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 
+from haros_ci.records import dataclass
 from haros_ci.regex import regex
 
 #: What a hole can ask for, with the form of what stands after the colon; see docs/known-nodes.md.

@@ -4,13 +4,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 from haros_ci.graph.names import UNKNOWN, clean, resolve
 from haros_ci.graph.ros2_process import RemappingRule, RosNode, named, ros_arguments
 from haros_ci.model.architecture import Condition, Endpoint, Node, Unknown
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass
 from haros_ci.regex import regex
 from haros_ci.robot.nodes import XmlNode as Element
 from haros_ci.robot.unknown import UnknownValue as NotKnown

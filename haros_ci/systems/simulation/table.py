@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
 from types import MappingProxyType
@@ -12,6 +11,7 @@ from typing import Any
 
 from haros_ci.model.architecture import KINDS
 from haros_ci.model.workspace import Problem
+from haros_ci.records import dataclass
 from haros_ci.regex import regex
 from haros_ci.systems.known.entry import KnownNode
 from haros_ci.systems.known.load import parse
