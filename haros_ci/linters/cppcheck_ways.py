@@ -7,7 +7,6 @@ import re
 from collections.abc import Callable
 
 from haros_ci.linters.cppcheck_conditions import has_large_constant
-from haros_ci.linters.cppcheck_uses import is_read_checked
 
 _THROW = re.compile(r"\bthrow\b")
 #: A macro with a ``throw`` in it, over several lines, too.
@@ -107,7 +106,6 @@ OF_WAYS: dict[str, Callable[[str, int, str], bool]] = {
     "throwInNoexceptFunction": is_thrown_elsewhere,
     "resourceLeak": has_not_opened,
     "compareValueOutOfTypeRangeError": is_named_limit,
-    "wrongfeofUsage": lambda message, line, text: is_read_checked(line, text),
 }
 
 

@@ -10,6 +10,7 @@ from collections.abc import Iterable
 from haros_ci.linters.class_methods import CLASS, method_at
 from haros_ci.linters.decorated import is_call_of_decorated
 from haros_ci.linters.python2 import imports_future, is_of_python2, names_python3
+from haros_ci.linters.star_imports import is_of_unseen
 from haros_ci.model.workspace import Workspace
 from haros_ci.results.result import Result
 
@@ -97,7 +98,7 @@ def _is_refuted_apart(result: Result, line: int, workspace: Workspace) -> bool:
         return _is_of_another_module(result.location.path, line, workspace)
     if result.rule == "syntax-error":
         return _TABS in result.message and _is_python2_around(result.location.path, workspace)
-    return _is_starred(result, workspace)
+    return _is_starred(result, workspace) or is_of_unseen(result.location.path, workspace)
 
 
 def _is_of_another_module(path: str, line: int, workspace: Workspace) -> bool:

@@ -440,6 +440,9 @@ FEOF = "Using feof() as a loop condition causes the last line to be processed tw
         "  size_t n = fread(buffer, 1, 80, pipe);\n  if (n == 0) break;\n  use(buffer, n);\n",
         "  char * line = (char *)fgets(buffer, 80, pipe);\n  // next\n  if (line != NULL) use(line);\n",
         "  c = fgetc(pipe);\n  if (c == EOF) { break; }\n",
+        '  fscanf(pipe, "%lf\\t%lf\\n", &p.x, &p.y);\n  points.push_back(p);\n',
+        '  std::fscanf(it->pipe, "%d ", &a);\n  use(a);\n',
+        '  fscanf(pipe, "%d,"\n    "%d\\r\\n", &a, &b);\n  use(a);\n',
     ],
 )
 def test_a_read_that_is_checked(body: str) -> None:
@@ -458,6 +461,11 @@ def test_a_read_that_is_checked(body: str) -> None:
         "  use(buffer);\n}\nif (fgets(buffer, 80, pipe)) {\n",
         "  if (a) { fgets(buffer, 80, pipe); }\n",
         '  puts("if (fgets(x))");\n  fgets(buffer, 80, pipe);\n',
+        '  fscanf(pipe, "%d\\n", &a);\n  fgets(buffer, 80, pipe);\n  use(a);\n',
+        '  fscanf(pipe, "%d\\n%d", &a, &b);\n  use(a);\n',
+        '  fscanf(pipe, "%dn", &a);\n  use(a);\n',
+        '  fscanf(pipe, format, &a, "\\n");\n  use(a);\n',
+        '  // fscanf(pipe, "%d\\n", &a);\n  fscanf(pipe, "%d", &a);\n  use(a);\n',
     ],
 )
 def test_a_read_that_is_not_checked(body: str) -> None:
