@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Messages of pylint that other files refute: how a method is called, which of two modules of one name is imported, and
-of which Python a package is."""
+"""Messages of pylint that other files refute: how a method is called, or that nothing calls it, which of two modules of one name is
+imported, and of which Python a package is."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ from haros_ci.linters.class_methods import CLASS, method_at
 from haros_ci.linters.decorated import is_call_of_decorated
 from haros_ci.linters.python2 import imports_future, is_of_python2, names_python3
 from haros_ci.linters.star_imports import is_of_unseen
+from haros_ci.linters.uncalled import is_uncalled
 from haros_ci.model.workspace import Workspace
 from haros_ci.results.result import Result
 
@@ -75,7 +76,9 @@ def is_refuted_around(result: Result, workspace: Workspace) -> bool:
     if _is_refuted_by_age(result, workspace):
         return True
     if result.rule in _OF_SIGNATURES and (
-        _is_of_library(result, line, workspace) or is_call_of_decorated(result, workspace)
+        _is_of_library(result, line, workspace)
+        or is_call_of_decorated(result, workspace)
+        or is_uncalled(result.location.path, line, workspace)
     ):
         return True
     return result.rule in _OF_MODULES and _is_shadowed(result, line, workspace)

@@ -14,7 +14,7 @@ _STATEMENTS = re.compile(
         print[ \t]+(?![=.,:)\]%*/+&|<-])(?:>>|["'\w(\[{`]).*
         | print[ \t]*>>[ \t]*\w.*
         | except[ \t]+(?![ \t])[\w.()\[\], \t]*?[\w.)][ \t]*,[ \t]*\w+[ \t]*:.*
-        | raise[ \t]+[\w.]+[ \t]*,[ \t]*.+
+        | raise[ \t]+(?:[\w.]+|"[^"\n]*"|'[^'\n]*')[ \t]*,[ \t]*.+
         | exec[ \t]+["'\w].*
     )$""",
     re.MULTILINE | re.VERBOSE,
