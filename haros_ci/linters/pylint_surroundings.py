@@ -22,9 +22,9 @@ _OF_MODULES = frozenset(
 )
 #: ``yaml.load(stream)``, which PyYAML of Python 2 takes without a Loader.
 _LOADER = re.compile(r"argument 'Loader'")
-#: What later versions of Python say alone.
+#: What later versions of Python say alone; an index is no fraction where Python 2 divides whole numbers.
 _OF_PYTHON3 = frozenset(
-    "anomalous-backslash-in-string deprecated-argument deprecated-attribute deprecated-class deprecated-decorator deprecated-method"
+    "invalid-sequence-index invalid-slice-index anomalous-backslash-in-string deprecated-argument deprecated-attribute deprecated-class deprecated-decorator deprecated-method"
     " deprecated-module".split()
 )
 #: What pylint says of a call by the signature that the installed version of a library has.
