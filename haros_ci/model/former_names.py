@@ -9,6 +9,8 @@ import re
 _SUPERSEDED = re.compile(
     r"(?P<a>.+?)[_-](?:old|backup|bak|copy|orig|original|deprecated|unused|obsolete|legacy)\d*"
     r"|(?:old|backup|bak|deprecated|unused|obsolete)[_-](?P<b>.+)"
+    # what editors and file managers call a copy: "main copy 2", "main - Copy (3)", "main (2)", "Copy of main"
+    r"|(?P<c>.+?)(?: (?:- )?[Cc]opy(?: ?\(?\d{1,3}\)?)?| ?\((?:copy|\d{1,3})\))|[Cc]opy of (?P<d>.+)"
 )
 #: Directories of what is no longer used.
 _ARCHIVES = frozenset(
@@ -19,7 +21,7 @@ _ARCHIVES = frozenset(
 def superseded(stem: str) -> str:
     """What a file was called of which this one, by its name without its ending, is a former version: ``arm`` for ``arm_old``; "" for others."""
     found = _SUPERSEDED.fullmatch(stem)
-    return "" if found is None else found["a"] or found["b"]
+    return "" if found is None else found["a"] or found["b"] or found["c"] or found["d"]
 
 
 def is_archived(path: str) -> bool:

@@ -74,6 +74,12 @@ def test_a_source_that_may_be_compiled(tmp_path: Path, files: dict[str, str]) ->
 
 FIRES_PYTHON = [
     ("demo/pick_old.py", {"demo/pick_old.py": NODE, "demo/pick.py": NODE, "demo/__init__.py": ""}),
+    ("demo/pick copy.py", {"demo/pick copy.py": NODE, "demo/pick.py": NODE}),
+    ("demo/pick copy 2.py", {"demo/pick copy 2.py": NODE, "demo/pick.py": NODE}),
+    ("demo/pick - Copy (2).py", {"demo/pick - Copy (2).py": NODE, "demo/pick.py": NODE}),
+    ("demo/pick (1).py", {"demo/pick (1).py": NODE, "demo/pick.py": NODE}),
+    ("demo/pick(1).py", {"demo/pick(1).py": NODE, "demo/pick.py": NODE}),
+    ("demo/Copy of pick.py", {"demo/Copy of pick.py": NODE, "demo/pick.py": NODE}),
     ("demo/pick_fast_old.py", {"demo/pick_fast_old.py": NODE, "demo/pick_fast.py": NODE}),
     ("demo/pick_old.py", {"demo/pick_old.py": NODE, "demo/pick_fast.py": NODE}),
     ("scripts/archive/walk.py", {"scripts/archive/walk.py": NODE, "scripts/pick.py": NODE}),
@@ -121,6 +127,10 @@ QUIET_PYTHON = [
         "archive/walk.py",
         {"archive/walk.py": NODE, "CMakeLists.txt": "install(PROGRAMS archive/walk.py DESTINATION bin)\n"},
     ),
+    ("demo/pick copy.py", {"demo/pick copy.py": NODE, "demo/walk.py": NODE}),
+    ("demo/pick copy.py", {"demo/pick copy.py": NODE, "demo/pick.py": NODE, "a.sh": "python3 'demo/pick copy.py'\n"}),
+    ("demo/pick(one).py", {"demo/pick(one).py": NODE, "demo/pick.py": NODE}),
+    ("demo/photocopy.py", {"demo/photocopy.py": NODE, "demo/photo.py": NODE}),
     ("demo/threshold.py", {"demo/threshold.py": NODE, "demo/thresh.py": NODE}),
     (
         "demo/pick_old.py",
