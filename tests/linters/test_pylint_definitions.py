@@ -51,3 +51,34 @@ TWICE = "{}def done(message):\n    global is_done\n    is_done = True\n\n\nother
 )
 def test_a_function_that_is_there_twice(text: str, line: int, expected: bool) -> None:
     assert is_refuted("function-redefined", line, 0, text) is expected
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("from utils.misc import *\n\n\ndef transform(a):\n    return a\n", True),
+        ("from utils.misc import *\n\n\ntransform()\ndef transform(a):\n    return a\n", False),
+        ("from utils.misc import *\ndef transform():\n    pass\n\n\ndef transform(a):\n    return a\n", False),
+        ("import utils\n\n\ndef transform(a):\n    return a\n", False),
+    ],
+)
+def test_a_function_in_place_of_one_of_a_star_import(text: str, expected: bool) -> None:
+    line = text.count("\n", 0, text.rindex("def transform")) + 1
+    assert is_refuted("function-redefined", line, 0, text) is expected
+
+
+@pytest.mark.parametrize(
+    ("body", "expected"),
+    [
+        ("self = super(Net, self).cuda()\n        return self", True),
+        ("self = super().to(device)\n        self.a = 1\n        return self", True),
+        ("self = super().to(device)\n        return 1", False),
+        ("self = super().to(device)", False),
+        ("self = Net()\n        return self", False),
+        ("self = super\n        return self", False),
+        ("self = other.super().to()\n        return self", False),
+    ],
+)
+def test_an_object_that_its_base_class_gives_back(body: str, expected: bool) -> None:
+    text = f"class Net(Base):\n    def cuda(self):\n        {body}\n"
+    assert is_refuted("self-cls-assignment", 3, 8, text) is expected
