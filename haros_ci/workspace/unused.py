@@ -29,6 +29,8 @@ _FOUND = re.compile(r"(?:__\w+__|setup|conf|conftest|noxfile|fabfile|manage|test
 _SKETCHES = frozenset(
     "drafts experiments notes playground sandbox scratch scratchpad temp testing tmp trials tryout".split()
 )
+#: Names of files that hold what somebody has tried out.
+_TRIED = re.compile(r"(?:drafts?|scratch(?:pad)?|playground|sandbox|te?mp|trial|tryout|untitled)[_-]?\d{0,3}")
 _ARCHIVED_TEST = re.compile(r"test_.*|.*_test")
 #: The first comments and text of a Python file, and what they say of one that is kept for reference.
 _HEAD = 2_000
@@ -119,6 +121,8 @@ class Unused(Judged):
             return True
         if _FOUND.fullmatch(stem) or _OF_TOOLS.intersection(directory.split("/")):
             return False
+        if _TRIED.fullmatch(stem.lower()):
+            return True
         return self._is_set_aside(file) or self._is_superseded(stem, directory) or self._is_given_up(file.path)
 
     def _is_set_aside(self, file: SourceFile) -> bool:

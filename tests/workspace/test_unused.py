@@ -74,6 +74,11 @@ def test_a_source_that_may_be_compiled(tmp_path: Path, files: dict[str, str]) ->
 
 FIRES_PYTHON = [
     ("demo/pick_old.py", {"demo/pick_old.py": NODE, "demo/pick.py": NODE, "demo/__init__.py": ""}),
+    ("demo/draft.py", {"demo/draft.py": NODE}),
+    ("demo/untitled1.py", {"demo/untitled1.py": NODE}),
+    ("demo/tmp.py", {"demo/tmp.py": MODULE}),
+    ("scripts/2_uneeded_scripts/pick.py", {"scripts/2_uneeded_scripts/pick.py": NODE}),
+    ("scripts/unused-stuff/pick.py", {"scripts/unused-stuff/pick.py": NODE}),
     ("demo/pick copy.py", {"demo/pick copy.py": NODE, "demo/pick.py": NODE}),
     ("demo/pick copy 2.py", {"demo/pick copy 2.py": NODE, "demo/pick.py": NODE}),
     ("demo/pick - Copy (2).py", {"demo/pick - Copy (2).py": NODE, "demo/pick.py": NODE}),
@@ -127,6 +132,11 @@ QUIET_PYTHON = [
         "archive/walk.py",
         {"archive/walk.py": NODE, "CMakeLists.txt": "install(PROGRAMS archive/walk.py DESTINATION bin)\n"},
     ),
+    ("demo/draft.py", {"demo/draft.py": NODE, "demo/go.launch": "<node type='draft.py'/>\n"}),
+    ("demo/draft_board.py", {"demo/draft_board.py": NODE}),
+    ("demo/temperature.py", {"demo/temperature.py": NODE}),
+    ("scripts/2_uneeded_scripts/pick.py", {"scripts/2_uneeded_scripts/pick.py": NODE, "README.md": "Run pick.py\n"}),
+    ("scripts/needed_scripts/pick.py", {"scripts/needed_scripts/pick.py": NODE}),
     ("demo/pick copy.py", {"demo/pick copy.py": NODE, "demo/walk.py": NODE}),
     ("demo/pick copy.py", {"demo/pick copy.py": NODE, "demo/pick.py": NODE, "a.sh": "python3 'demo/pick copy.py'\n"}),
     ("demo/pick(one).py", {"demo/pick(one).py": NODE, "demo/pick.py": NODE}),
