@@ -670,3 +670,24 @@ def test_a_local_array_that_is_copied(declared: str) -> None:
 )
 def test_the_address_of_a_local_variable(declared: str, use: str) -> None:
     assert not is_refuted("autoVariables", AUTO, 3, f"void f(int ** out) {{\n  {declared}\n  {use}\n}}\n")
+
+
+FIELD = "Non-local variable 'res.res' will use object that points to local variable 'buffer'."
+
+
+@pytest.mark.parametrize(
+    ("parameter", "expected"),
+    [
+        ("robotiq_ft_sensor::sensor_accessor::Response& res", True),
+        ("demo::Get::Response &res", True),
+        ("std::shared_ptr<demo::srv::Get::Response> res", False),
+        ("const demo_msgs::msg::Text::SharedPtr res", True),
+        ("demo_msgs::Text & res", True),
+        ("Result & res", False),
+        ("demo::Holder & res", False),
+        ("demo::Get::Response & other", False),
+    ],
+)
+def test_fields_of_messages_copy_what_they_are_given(parameter: str, expected: bool) -> None:
+    text = f"bool go({parameter}) {{\n  char buffer[100];\n  res.res = buffer;\n}}\n"
+    assert is_refuted("danglingLifetime", FIELD, 3, text) is expected
