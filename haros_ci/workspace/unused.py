@@ -98,7 +98,11 @@ class Unused(Judged):
         for other in self._by_order if stems else ():
             text = as_python_reads(self._workspace.text(other.path))
             if other.language in ("python", "launch", "setup", "cmake") and _DYNAMIC.search(text):
-                stems = {path: stem for path, stem in stems.items() if self._files[path].package != other.package}
+                stems = {
+                    path: stem
+                    for path, stem in stems.items()
+                    if self._files[path].package != other.package or " " in stem  # no module has such a name
+                }
             for path, stem in tuple(stems.items()):
                 if self._is_set_aside(self._files[path]) and self._is_set_aside(other):
                     continue  # what is archived together names each other, and so do trials

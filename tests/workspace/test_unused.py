@@ -80,6 +80,10 @@ FIRES_PYTHON = [
     ("scripts/2_uneeded_scripts/pick.py", {"scripts/2_uneeded_scripts/pick.py": NODE}),
     ("scripts/unused-stuff/pick.py", {"scripts/unused-stuff/pick.py": NODE}),
     ("demo/pick copy.py", {"demo/pick copy.py": NODE, "demo/pick.py": NODE}),
+    (
+        "demo/pick copy.py",
+        {"demo/pick copy.py": NODE, "demo/pick.py": "import importlib\nimportlib.import_module(name)\n"},
+    ),
     ("demo/pick copy 2.py", {"demo/pick copy 2.py": NODE, "demo/pick.py": NODE}),
     ("demo/pick - Copy (2).py", {"demo/pick - Copy (2).py": NODE, "demo/pick.py": NODE}),
     ("demo/pick (1).py", {"demo/pick (1).py": NODE, "demo/pick.py": NODE}),
