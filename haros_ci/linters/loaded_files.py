@@ -3,21 +3,20 @@
 
 from __future__ import annotations
 
-import re
-
 from haros_ci.model.workspace import Workspace
+from haros_ci.regex import regex
 from haros_ci.results.code_alone import code_alone, without_comments
 
-_LOADS = re.compile(
+_LOADS = regex(
     r"\bload_source\s*\(|\bspec_from_file_location\s*\(|\bSourceFileLoader\s*\(|\bexecfile\s*\(|\brun_path\s*\("
     r"|\bexec\s*\(\s*(?:compile\s*\(\s*)?(?:open\b|\w+\.read(?:_text)?\s*\()"
 )
 #: A file as code names it, and as a parameter does: by a path.
-_IN_CODE = re.compile(r"(?<![\w-])([\w-]+\.py)\b")
-_IN_PATH = re.compile(r"/(?<![\w-])([\w-]+\.py)\b")
+_IN_CODE = regex(r"(?<![\w-])([\w-]+\.py)\b")
+_IN_PATH = regex(r"/(?<![\w-])([\w-]+\.py)\b")
 #: Endings of more than one word that code names or looks for (``"*.task.py"``): no import takes a file by such a name, so that who reads it runs its text.
-_ENDING = re.compile(r"[\"'/*]\*?((?:\.[\w-]+)+\.py)[\"']")
-_RUNS = re.compile(r"(?<![\w.])exec\b(?:file)?(?!\w)")
+_ENDING = regex(r"[\"'/*]\*?((?:\.[\w-]+)+\.py)[\"']")
+_RUNS = regex(r"(?<![\w.])exec\b(?:file)?(?!\w)")
 #: Such endings that tools find by themselves.
 _OF_TOOLS = (".launch.py", ".test.py")
 #: Files that install, and load the version of the package.

@@ -8,13 +8,14 @@ import re
 
 from haros_ci.linters.pylint_idioms import nodes
 from haros_ci.model.workspace import Workspace
+from haros_ci.regex import regex
 
 #: Names by which frameworks find what they call.
-_FOUND = re.compile(
+_FOUND = regex(
     r"__\w+__|(?:test|setUp|tearDown|do|on|visit|handle|generate)(?:_\w+|[A-Z]\w*)?|main|run|callback|\w+_(?:callback|cb)"
 )
 #: What finds functions by a part of their names.
-_BY_PARTS = re.compile(r"\bgetattr[ \t]*\(|\bgetmembers[ \t]*\(|\bglobals[ \t]*\(\)|\bdir[ \t]*\(|\bfire\b")
+_BY_PARTS = regex(r"\bgetattr[ \t]*\(|\bgetmembers[ \t]*\(|\bglobals[ \t]*\(\)|\bdir[ \t]*\(|\bfire\b")
 _FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef)
 
 
