@@ -258,7 +258,11 @@ def tree(description: Description) -> Iterator[Finding]:
                 related=((place_of(before, joint), f"the joint {before.name!r}"),),
             )
     roles = [role for uses in unknown.values() for role, _ in uses]
-    is_part = not description.is_named and len(unknown) == 1 and all(unknown) and set(roles) == {"parent"}
+    is_left_alone = not description.is_named and len(unknown) == 1
+    has_no_name = not robot.name and not description.command  # a robot has one: what hangs on others is put into one
+    is_part = (is_left_alone or has_no_name) and all(unknown) and set(roles) == {"parent"}
+    why = "nothing here loads the file" if robot.name else "the file names no robot"
+    hint = f" ({why}: it may be a part for another robot)" if is_part else ""
     for name, uses in unknown.items():
         role, joint = uses[0]
         what = f"the {role} link {name!r}, which the robot does not have" if name else f"no {role} link"
@@ -269,8 +273,7 @@ def tree(description: Description) -> Iterator[Finding]:
         yield finding(
             description,
             joint.location,
-            f"joint {joint.name or '?'} names {what}{more}: urdfdom rejects the robot; correct the link's name"
-            f"{' (nothing here loads the file: it may be a part for another robot)' if is_part else ''}",
+            f"joint {joint.name or '?'} names {what}{more}: urdfdom rejects the robot; correct the link's name{hint}",
             f"link {name}" if name else f"joint {joint.name}",
             joint,
             Level.NOTE if is_part else None,

@@ -16,6 +16,8 @@ _ENDING = {
     "ros_ign_gazebo": r"create",
     "nav2_map_server": r"map_saver_cli",
 }
+#: Ends of a program that calls a service or an action, and has nothing that others would reach under its name.
+_ASKING = frozenset(("clients", "action_clients"))
 
 
 def check(system: System) -> Iterator[Finding]:
@@ -39,9 +41,12 @@ def check(system: System) -> Iterator[Finding]:
 
 
 def _ends(node: SystemNode) -> bool:
-    """Whether the program ends at once. roslaunch of ROS 1 refuses two of one name all the same."""
+    """Whether the program ends at once, or does nothing but ask others. roslaunch of ROS 1 refuses two of one name all the same."""
     package, _, program = node.type.partition("/")
-    return node.ros == 2 and package in _ENDING and re.fullmatch(_ENDING[package], program) is not None
+    if node.ros == 2 and package in _ENDING and re.fullmatch(_ENDING[package], program) is not None:
+        return True
+    own = [end.raw.kind for end in node.ends if not end.raw.implicit]
+    return node.ros == 2 and node.complete and not node.given and bool(own) and _ASKING.issuperset(own)
 
 
 def _pair(nodes: list[SystemNode]) -> tuple[SystemNode, SystemNode] | None:

@@ -27,6 +27,7 @@ from haros_ci.api.packages import (
     first_provider,
     holds_for_python,
     imports_of,
+    is_nowhere,
     meant_released,
     needs_of,
     normal,
@@ -49,7 +50,7 @@ def check(project: Project) -> Iterator[Finding]:
         yield from _together(package)
         yield from _of_python(package)
         declared = _declared(package)
-        unknown = [name for name in sorted(declared) if _is_nowhere(name, package) and name not in OF_PYTHON]
+        unknown = [name for name in sorted(declared) if is_nowhere(name, package.project) and name not in OF_PYTHON]
         if not unknown or package.manifest is None:
             continue
         needs = [
@@ -93,7 +94,7 @@ def _of_python(package: ProjectPackage) -> Iterator[Finding]:
     found = [
         child
         for child in children
-        if child.tag.endswith("depend") and word(child) in OF_PYTHON and _is_nowhere(word(child), package)
+        if child.tag.endswith("depend") and word(child) in OF_PYTHON and is_nowhere(word(child), package.project)
     ]
     if not any(_is_imported(word(child), package) for child in found):
         return
@@ -118,15 +119,9 @@ def _is_imported(module: str, package: ProjectPackage) -> bool:
     return any(line.search(package.project.text(file.path)) for file in package.files if file.language == "python")
 
 
-def _is_nowhere(name: str, package: ProjectPackage) -> bool:
-    """Whether neither the workspace, nor a distribution, nor rosdep has *name*."""
-    project, knowledge = package.project, package.project.knowledge
-    return project.package(name) is None and knowledge.is_package(name) is False and not knowledge.is_key(name)
-
-
 def _there(names: frozenset[str], package: ProjectPackage) -> frozenset[str]:
     """Those of *names* that somebody has: CMake's ``Eigen3`` is rosdep's ``eigen``."""
-    return frozenset(name for name in names if not _is_nowhere(name, package))
+    return frozenset(name for name in names if not is_nowhere(name, package.project))
 
 
 def _declared(package: ProjectPackage) -> frozenset[str]:
@@ -137,6 +132,8 @@ def _declared(package: ProjectPackage) -> frozenset[str]:
 
 def _is_meant(name: str, provider: str, need: Need) -> bool:
     """Whether somebody who wrote *name* may have meant *provider*: one slip, or the name of the module, or of pip, for that of its key."""
+    if name != provider and normal(name) == normal(provider):  # pose-cov-ops for pose_cov_ops
+        return True
     if is_slip(name, provider) or provider in (f"python3-{name}", f"python-{name}", f"lib{name}-dev"):
         return True
     first, _, module = need.what.partition("import ")

@@ -9,6 +9,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage, listed, regex
 from haros_ci.api.packages import (
     COUNTERPARTS,
+    ENVIRONMENT,
     Need,
     Provisions,
     add_dependency,
@@ -17,6 +18,8 @@ from haros_ci.api.packages import (
     counted,
     dependency_tags,
     first_provider,
+    has_environment,
+    is_nowhere,
     is_of_ros,
     is_well_known,
     last_dependency,
@@ -41,6 +44,16 @@ _TOOLS = (
 )
 #: What rosdep's keys have beside the name of the library: libnlopt-cxx-dev.
 _AFFIXES = regex(r"^lib|-(?:dev|devel|cxx|cpp|all|vendor)\b|(?:-?\d[\d.]*)$|-dev\b")
+#: The beginnings of names of packages that tests alone need.
+_TESTING = (
+    "ament_lint_",
+    "ament_cmake_gtest",
+    "ament_cmake_gmock",
+    "ament_cmake_pytest",
+    "ament_cmake_test",
+    "launch_testing",
+    "ros_testing",
+)
 _GENERATORS = ("rosidl_default_generators", "message_generation")
 _SHOWN = 3
 #: The core of ROS, whose headers are named otherwise.
@@ -51,10 +64,7 @@ _INCLUDE = regex(r"^[ \t]*#[ \t]*include[ \t]*[<\"]([^<>\"\n]{1,200})[>\"]", re.
 _DEFINED = regex(r"^[ \t]*(?:function|macro)[ \t]*\([ \t]*(\w{1,100})", re.IGNORECASE | re.MULTILINE)
 #: Commands that pass on what find_package() found; to name a package there uses nothing of it.
 _PASSING = ("ament_target_dependencies", "ament_export_dependencies")
-#: What sets ROS_DISTRO and ROS_VERSION, and a condition of CMake that reads one of them.
-_ENVIRONMENT = "ros_environment"
-#: What brings it only in distributions after Jazzy, by rosidl_default_generators.
-_LATE = frozenset(("rosidl_generator_rs",))
+#: A condition of CMake that reads a variable that ros_environment sets.
 _VARIABLE = regex(r"^[ \t]*(?:else)?if[ \t]*\([^\n#]*\$ENV\{(ROS_DISTRO|ROS_VERSION)\}", re.IGNORECASE | re.MULTILINE)
 
 
@@ -86,12 +96,16 @@ def check(project: Project) -> Iterator[Finding]:
                 others = [undeclared[group] for group, by in brought.items() if by == providers]
                 yield _finding(package, providers, uses, others, provisions)
         deciding = [] if provided is None or provided.is_open else list(_environment(package))
-        if deciding and not _has_environment(package, provisions):
+        if deciding and not has_environment(package, provisions):
             yield from deciding
 
 
 def _is_reported_elsewhere(package: ProjectPackage, providers: frozenset[str]) -> bool:
-    """Whether another check has it declared: foreign-dependency for one of the other ROS, incomplete-interface-package for a generator."""
+    """Whether another check has it declared: foreign-dependency for one of the other ROS, incomplete-interface-package for a generator, misspelt-dependency
+    for a name with other separators (``pose-cov-ops``)."""
+    plain = {name.replace("-", "_").lower() for name in providers}
+    if any(name.replace("-", "_").lower() in plain and is_nowhere(name, package.project) for name in package.declared):
+        return True
     instead = (
         {COUNTERPARTS[package.ros].get(name) for name in package.declared} if package.ros in COUNTERPARTS else set()
     )
@@ -155,20 +169,22 @@ def _finding(
     keys = boost_keys(package) if name == HEADERS else (name,)
     others = others_of(providers, name, package) if name != HEADERS else []
     is_tool = name.startswith(_TOOLS) and not any(use.is_header for use in uses)
-    kind = "buildtool_depend" if is_tool else "depend"
+    is_test = name.startswith(_TESTING) and not any(use.is_header for use in uses)
+    kind = "test_depend" if is_test else "buildtool_depend" if is_tool else "depend"
     idle = _idle_in(package, name, uses) if not brought else ()
     is_idle = bool(idle) and not _leads_to_headers(package, name, provisions)
-    is_certain = not others and is_of_ros(name, package.project) and not is_idle
+    is_certain = not others and is_of_ros(name, package.project) and not is_idle and not is_test
     fix = add_dependency(package, kind, name) if is_certain else None
     tags = listed([dependency_tags(package, kind, key) for key in keys])
     packages = listed(keys)
     alternative = f" (or {', '.join(others)})" if others else ""
+    guard = "move find_package() into if(BUILD_TESTING), as tests alone need it, and " if is_test else ""
     if brought:
         alternative += f", which brings {listed([item[0].what.removeprefix('#include ') for item in brought])}, too"
     return Finding(
         at=last_dependency(package),
         message=f"{package.name} needs {packages} to build ({uses[0].what}), but package.xml does not declare {'it' if len(keys) == 1 else 'them'}: the build "
-        f"fails on a machine without {packages}; {_removal(idle) if is_idle else ''}add {tags}{alternative}{said_misplaced(package, providers)}{said_never(package, providers)}",
+        f"fails on a machine without {packages}; {_removal(idle) if is_idle else guard}add {tags}{alternative}{said_misplaced(package, providers)}{said_never(package, providers)}",
         about=(package.name, name),
         related=tuple(
             (use.location, f"needs {name}: {use.what}") for item in (uses, *brought) for use in item[:_SHOWN]
@@ -278,29 +294,9 @@ def _circular(package: ProjectPackage, name: str, uses: list[Need]) -> Finding:
     )
 
 
-def _has_environment(package: ProjectPackage, provisions: Provisions) -> bool:
-    """Whether a dependency brings ros_environment in ROS 2; what ROS 1 alone has brings nothing there (roslib of pluginlib)."""
-    project = package.project
-    waiting, seen = list(package.declared - _LATE), {*package.declared, *_LATE}
-    while waiting:
-        name = waiting.pop()
-        if name == _ENVIRONMENT:
-            return True
-        if (
-            project.package(name) is None
-            and project.knowledge.is_package(name)
-            and not project.knowledge.is_in(name, 2)
-        ):
-            continue
-        new = (provisions.brought(name, 2) or frozenset()) - seen
-        seen |= new
-        waiting += new
-    return False
-
-
 def _environment(package: ProjectPackage) -> Iterator[Finding]:
     """Variables of the environment that ros_environment sets, where CMake decides by them."""
-    commands = package.build.commands if package.ros == 2 and package.name != _ENVIRONMENT else ()
+    commands = package.build.commands if package.ros == 2 and package.name != ENVIRONMENT else ()
     for path in sorted({command.location.path for command in commands}):
         text = package.project.text(path)
         found = _VARIABLE.search(text)
@@ -308,15 +304,15 @@ def _environment(package: ProjectPackage) -> Iterator[Finding]:
             continue
         at = Location(path, text.count("\n", 0, found.start(1)) + 1)
         kind = "buildtool_depend" if package.raw.format == 1 else "build_depend"
-        fix = add_dependency(package, kind, _ENVIRONMENT)
+        fix = add_dependency(package, kind, ENVIRONMENT)
         yield Finding(
             at=last_dependency(package),
-            message=f"{package.name} decides by $ENV{{{found[1]}}} (line {at.line} of {path}), which {_ENVIRONMENT} sets, but package.xml does not "
-            f"declare it: the variable is empty on a build farm; add {dependency_tags(package, kind, _ENVIRONMENT)}",
-            about=(package.name, _ENVIRONMENT),
+            message=f"{package.name} decides by $ENV{{{found[1]}}} (line {at.line} of {path}), which {ENVIRONMENT} sets, but package.xml does not "
+            f"declare it: the variable is empty on a build farm; add {dependency_tags(package, kind, ENVIRONMENT)}",
+            about=(package.name, ENVIRONMENT),
             level=Level.NOTE,
             related=((at, f"reads $ENV{{{found[1]}}}"),),
-            apart=(_ENVIRONMENT,),
+            apart=(ENVIRONMENT,),
             fixes=() if fix is None else (fix,),
         )
         return

@@ -50,7 +50,7 @@ def _finding(path: str, names: Mapping[str, int], block: int, is_dead: bool) -> 
     if block:
         mend = f"what would define {'it' if len(names) == 1 else 'them'} is in a comment (line {block}): bring it back, or remove the use"
     if is_dead:
-        what = f"{first} is not defined in this file: the line would raise NameError, but stands below a condition that is never true"
+        what = f"{first} is not defined in this file: the line would raise NameError, but is never run"
     return Finding(
         at=Location(path, names[first]),
         message=f"{what}; {mend}",

@@ -25,6 +25,7 @@ from haros_ci.linters.duplicates import drop_unfounded, merge_same_defects
 from haros_ci.linters.endpoint_macros import notifications as endpoint_macros
 from haros_ci.linters.metrics import keep_worst_band
 from haros_ci.linters.one_cause import one_cause
+from haros_ci.linters.one_file import one_file
 from haros_ci.linters.recorded import Testimony
 from haros_ci.linters.run import lint
 from haros_ci.linters.said_by_ours import said_once
@@ -228,7 +229,7 @@ def examine(
     results = named
     of_plugins = hosted(workspace, selection, architectures, results, progress)
     runs, results = (*runs, *of_plugins), (*results, *selected(results_of(of_plugins), selection, workspace, left))
-    merged = merge_same_defects(keep_worst_band(one_cause(results, workspace.text)))
+    merged = merge_same_defects(keep_worst_band(one_file(one_cause(results, workspace.text), workspace.text)))
     merged_runs = distribute(runs, said_once(merged, workspace.package_finder()))
     return finished(merged_runs, workspace, selection, architectures.settings, frozenset(left.found))
 

@@ -369,3 +369,45 @@ def test_no_key_of_a_part(declared: str, tmp_path: Path) -> None:
     check = next(check for check in checks() if check.id == "undeclared-import")
     (result,) = said(check, Example("", True, files), tmp_path)
     assert "quick" not in result.message and "qt" in result.message.lower()
+
+
+@pytest.mark.parametrize(
+    ("needs", "cmake", "end"),
+    [
+        (
+            "",
+            "find_package(ament_lint_auto REQUIRED)\nament_lint_auto_find_test_dependencies()",
+            "move find_package() into if(BUILD_TESTING), as tests alone need it, and add <test_depend>ament_lint_auto</test_depend>.",
+        ),
+        (
+            "",
+            "find_package(ament_cmake_gtest REQUIRED)\nament_add_gtest(a a.cpp)",
+            "move find_package() into if(BUILD_TESTING), as tests alone need it, and add <test_depend>ament_cmake_gtest</test_depend>.",
+        ),
+        ("", "find_package(std_msgs REQUIRED)\nament_target_dependencies(a std_msgs b)\nb()", "add <depend>std_msgs</depend>."),
+    ],
+)  # fmt: skip
+def test_where_a_package_of_tests_belongs(needs: str, cmake: str, end: str, tmp_path: Path) -> None:
+    manifest = MANIFEST.format(' format="3"', ROS2.format(needs))
+    (message,) = messages(
+        manifest, CMAKE.format(f"find_package(ament_cmake REQUIRED)\n{cmake}\nament_package()"), "", tmp_path
+    )
+    assert message.rstrip(".").endswith(end.rstrip(".")), message
+
+
+@pytest.mark.parametrize(
+    ("name", "others"),
+    [("pose-cov-ops", []), ("Pose_Cov_Ops", []), ("pose_cov_ops", []), ("pose-ops", ["pose_cov_ops"])],
+)
+def test_a_name_with_other_separators_is_corrected(name: str, others: list[str], tmp_path: Path) -> None:
+    files = {
+        "package.xml": MANIFEST.format(' format="3"', ROS2.format(f"<depend>{name}</depend>")),
+        "CMakeLists.txt": CMAKE.format("find_package(ament_cmake REQUIRED)\nfind_package(pose_cov_ops REQUIRED)\nament_package()"),
+    }  # fmt: skip
+    by_id = {check.id: check for check in checks() if check.id in ("misspelt-dependency", "undeclared-dependency")}
+    found = {
+        key: [one.message for one in said(check, Example("", True, files), tmp_path)] for key, check in by_id.items()
+    }
+    corrected = [] if name == "pose_cov_ops" or others else ["write pose_cov_ops"]
+    assert [word for message in found["misspelt-dependency"] for word in corrected if word in message] == corrected
+    assert len(found["undeclared-dependency"]) == len(others), found

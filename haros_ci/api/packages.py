@@ -42,6 +42,7 @@ from haros_ci.checking.known_commands import is_well_known
 from haros_ci.checking.leftovers import Leftovers
 from haros_ci.checking.lookups import Lookup, lookups
 from haros_ci.checking.lost_imports import lost_imports
+from haros_ci.checking.manifest_names import ENVIRONMENT, has_environment, is_nowhere
 from haros_ci.checking.manifests import (
     BUILD,
     EXEC,
@@ -157,6 +158,7 @@ __all__ = [
     "CONFLICT_BEGINS",
     "CONFLICT_ENDS",
     "COUNTERPARTS",
+    "ENVIRONMENT",
     "EXEC",
     "EXPORTED",
     "MACROS",
@@ -224,6 +226,7 @@ __all__ = [
     "exports",
     "file_name",
     "first_provider",
+    "has_environment",
     "gives_modes",
     "holds",
     "holds_for_python",
@@ -250,6 +253,7 @@ __all__ = [
     "is_made_program_later",
     "is_nested",
     "is_of_node",
+    "is_nowhere",
     "is_of_ros",
     "is_of_tests",
     "is_program",

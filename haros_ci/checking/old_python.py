@@ -14,6 +14,7 @@ from collections.abc import Collection, Iterator, Mapping
 from haros_ci.records import dataclass
 from haros_ci.regex import regex
 from haros_ci.results.code_alone import code_alone
+from haros_ci.results.unreached import EXITING, EXITS, dead_parts, is_bound
 
 MAX_SOURCE = 500_000
 _PRINT = regex(r"(^[ \t]*|[:;][ \t]*)print[ \t]*(?:>>[ \t]*|(?<=[ \t])(?=[\"'\w\[{`-]))", re.MULTILINE)
@@ -128,11 +129,13 @@ def _unbound(module: ast.Module) -> Iterator[ast.Name]:
 
 
 def switched_off(module: ast.Module) -> frozenset[int]:
-    """The lines below ``if False:``, ``if 0:`` and the like, which nothing reaches."""
+    """The lines of what nothing reaches: below ``if False:``, behind ``quit()``, a ``return`` or a loop without an end."""
     found: set[int] = set()
+    exits = frozenset() if is_bound(ast.walk(module), EXITING) else EXITS
     for node in ast.walk(module):
-        if isinstance(node, (ast.If, ast.While)) and isinstance(node.test, ast.Constant) and not node.test.value:
-            found.update(range(node.body[0].lineno, (node.body[-1].end_lineno or node.body[-1].lineno) + 1))
+        for part in dead_parts(node, exits):
+            if isinstance(part[0], ast.stmt):
+                found.update(range(part[0].lineno, (part[-1].end_lineno or part[-1].lineno) + 1))
     return frozenset(found)
 
 

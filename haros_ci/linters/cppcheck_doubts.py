@@ -18,6 +18,7 @@ from haros_ci.linters.cppcheck_uses import (
     is_given_back,
     is_meant,
     is_pointed_to,
+    is_read_checked,
 )
 from haros_ci.linters.cppcheck_ways import OF_WAYS, is_list_of_values, sets_nothing
 from haros_ci.regex import regex
@@ -102,6 +103,8 @@ def is_refuted(rule: str, message: str, line: int, whole: str) -> bool:  # noqa:
     is its label. It does not know which classes are views of what others own, takes each name of a structured binding for a
     variable of its own, and looks at one preprocessor configuration. Comments and texts refute nothing, but for what is leaked, declared or commented out on purpose.
     """
+    if rule == "wrongfeofUsage":  # by the text of a format, too
+        return is_read_checked(line, whole)
     text = code_alone(whole, "c")
     if rule == "assignBoolToPointer" and has_no_truth_value(_line(text, line)):
         return True

@@ -15,6 +15,13 @@ _KEPT = regex(r"[Vv]ariable '([A-Za-z_]\w*)' will use (?:pointer|object) to loca
 _POINTING = regex(r"will use object that points to local variable '([A-Za-z_]\w*)'")
 #: ``Returning object that points to local variable 'view' that will be invalid when returning.``
 _RETURNED = regex(r"points to local variable '([A-Za-z_]\w*)'")
+#: ``Non-local variable 'res.name' will use object that points to local variable 'buffer'.``
+_FIELD = regex(r"[Vv]ariable '([A-Za-z_]\w*)(?:\.|->)\w[\w.>-]*' will use object that points to local variable")
+#: A parameter of a type that is generated for a message, service or action: its fields are texts, numbers and lists, which copy what they are given.
+_GENERATED = (
+    r"(?:::(?:Request|Response|Goal|Result|Feedback)|\b\w+_(?:msgs|srvs|interfaces)(?:::\w+){{1,3}})"
+    r"(?:_?<[^<>;{{}}]{{0,80}}>|::(?:SharedPtr|UniquePtr)|Ptr)?\s*(?:[&*]\s*)?{name}\b"
+)
 _ITSELF = regex(r"assignment of '([^']{1,80})' to itself")
 #: Functions of the standard library that give back what they are given, or what points to it.
 _PASSING = frozenset(
@@ -40,7 +47,9 @@ def may_be_alive(rule: str, message: str, line: int, text: str) -> bool:
         return itself is not None and _is_other_branch(itself[1], line, lines)
     if rule == "danglingLifetime":
         kept = _KEPT.search(message)
-        points = _POINTING.search(message)
+        points, owner = _POINTING.search(message), _FIELD.search(message)
+        if owner is not None and re.search(_GENERATED.format(name=owner[1]), near):
+            return True
         if points is not None and _is_moved(points[1], lines[line - 1]):
             return True
         return kept is not None and _is_returned_by_a_call(kept[1], kept[2], near, text)

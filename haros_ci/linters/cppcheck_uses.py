@@ -17,6 +17,11 @@ _READ = r"(?:std\s*::\s*)?(?:w?fgets|fgetws|v?fw?scanf|fread|fgetw?c|getw?c|getl
 _TESTED = regex(rf"\bif\s*\((?:[^;{{}}]{{0,200}}?[(!=&|\s])?{_READ}")
 #: ``n = fread(…);``, and ``char * line = fgets(…);``.
 _KEPT = regex(rf"\b([A-Za-z_]\w*)\s*=\s*(?:\([\w\s*]{{1,40}}\)\s*)?{_READ}")
+_ANY_READ = regex(rf"(?<![\w.>]){_READ}|(?:>>|\.\s*get(?:line)?\s*\()")
+#: A read with a format that ends in white space, which stands for all of it up to the next value, or to the end ("fscanf" in the C standard, 7.21.6.2).
+_SCANNED = regex(
+    r"(?:std\s*::\s*)?fscanf\s*\(\s*[\w.>\[\]-]{1,80}\s*,\s*(?:\"(?:[^\"\\\n]|\\.)*\"\s*)*\"(?:[^\"\\\n]|\\.)*(?:\\[nrt]| )\"\s*[,)]"
+)
 #: Characters of a loop, and lines above a use, that are looked at.
 _LONGEST = 8000
 _NEAR = 60
@@ -35,14 +40,20 @@ _ALLOCATED = regex(r"not initialized: ([A-Za-z_]\w*)")
 
 
 def is_read_checked(line: int, text: str) -> bool:
-    """Whether the body of the loop ``while (!feof(file))`` at *line* looks at what its read returns before it goes on."""
-    rest = "\n".join(text.split("\n")[max(line - 1, 0) :])[:_LONGEST]
-    rest = _HIDDEN.sub(lambda found: re.sub(r"[^\n]", " ", found[0]), rest)
+    """Whether the body of the loop ``while (!feof(file))`` at *line* looks at what its read returns before it goes on.
+
+    Or its last read takes the white space behind the last value, too, so that feof() holds at once.
+    """
+    whole = "\n".join(text.split("\n")[max(line - 1, 0) :])[:_LONGEST]
+    rest = _HIDDEN.sub(lambda found: re.sub(r"[^\n]", " ", found[0]), whole)
     loop = _LOOP.search(rest)
     if loop is None or "\n" in rest[: loop.start()]:
         return False
     body = rest[loop.end() : _closed(rest, loop.end())]
     if _TESTED.search(body):
+        return True
+    *_, last = (None, *_ANY_READ.finditer(body))
+    if last is not None and _SCANNED.match(whole, loop.end() + last.start()):
         return True
     return any(
         re.search(rf"\b(?:if|while)\s*\([^;{{}}]{{0,200}}?\b{kept[1]}\b", body[kept.end() :])

@@ -7,7 +7,6 @@ import re
 from collections.abc import Callable
 
 from haros_ci.linters.cppcheck_conditions import has_large_constant
-from haros_ci.linters.cppcheck_uses import is_read_checked
 from haros_ci.regex import regex
 
 _THROW = regex(r"\bthrow\b")
@@ -106,7 +105,6 @@ OF_WAYS: dict[str, Callable[[str, int, str], bool]] = {
     "throwInNoexceptFunction": is_thrown_elsewhere,
     "resourceLeak": has_not_opened,
     "compareValueOutOfTypeRangeError": is_named_limit,
-    "wrongfeofUsage": lambda message, line, text: is_read_checked(line, text),
 }
 
 

@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Statements of Python that are never run, as one before them in their block always leaves it, or as their condition is written false."""
+"""What of Python is never run, as a statement before it in its block always leaves it, or as a condition is written false."""
 
 from __future__ import annotations
 
 import ast
-from collections.abc import Iterator
 from functools import lru_cache
 
 from haros_ci.linters.pylint_idioms import nodes
+from haros_ci.results.unreached import EXITING, EXITS, dead_parts, is_bound
 
 #: Errors of pylint that stand in dead code as well: of the compiler, which stops at the whole file, of what a function becomes by them, and of characters that
 #: deceive who reads.
@@ -20,9 +20,6 @@ OF_FILES = frozenset(
     yield-outside-function
     """.split()
 )
-#: What leaves its block ("Simple statements" in Python's reference).
-_LEAVES = (ast.Return, ast.Raise, ast.Continue, ast.Break)
-_BLOCKS = ("body", "orelse", "finalbody")
 #: From a line and byte to a line and byte, both included.
 _Range = tuple[tuple[int, int], tuple[int, int]]
 
@@ -30,8 +27,8 @@ _Range = tuple[tuple[int, int], tuple[int, int]]
 def is_dead(text: str, line: int, column: int | None) -> bool:
     """Whether what stands at *line*, counted from 1, and *column*, from 0 in characters, of *text* is never run.
 
-    It stands behind a ``return``, ``raise``, ``continue`` or ``break`` of the same block, in the ``if`` or ``while`` of a constant that is
-    false, or in the ``else`` of an ``if`` of one that is true. Without a *column* all of the line does. A file that Python cannot parse has no such place.
+    It stands behind a ``return``, ``raise``, ``continue`` or ``break``, an ``exit()`` or a loop without an end of the same block, in the ``if`` or ``while`` of a constant that is
+    false, in the ``else`` of an ``if`` of one that is true, or behind a constant that decides a condition (``True or a``). Without a *column* all of the line does. A file that Python cannot parse has no such place.
     """
     found = _dead(text)
     if not found:
@@ -45,29 +42,16 @@ def is_dead(text: str, line: int, column: int | None) -> bool:
 
 @lru_cache(maxsize=8)
 def _dead(text: str) -> tuple[_Range, ...]:
+    every = nodes(text)
+    exits = frozenset() if is_bound(every, EXITING) else EXITS
     return tuple(
-        (_start(block[0]), (block[-1].end_lineno or 0, block[-1].end_col_offset or 0))
-        for node in nodes(text)
-        for block in _dead_blocks(node)
+        (_start(part[0]), (part[-1].end_lineno or 0, part[-1].end_col_offset or 0))
+        for node in every
+        for part in dead_parts(node, exits)
     )
 
 
-def _dead_blocks(node: ast.AST) -> Iterator[list[ast.stmt]]:
-    if isinstance(node, (ast.If, ast.While)) and isinstance(node.test, ast.Constant):
-        if not node.test.value:
-            yield node.body
-        elif isinstance(node, ast.If) and node.orelse:
-            yield node.orelse
-    for name in _BLOCKS:
-        block = getattr(node, name, None)
-        if not isinstance(block, list):  # a lambda's body is an expression
-            continue
-        leaves = next((index for index, statement in enumerate(block) if isinstance(statement, _LEAVES)), len(block))
-        if block[leaves + 1 :]:
-            yield block[leaves + 1 :]
-
-
-def _start(statement: ast.stmt) -> tuple[int, int]:
+def _start(statement: ast.stmt | ast.expr) -> tuple[int, int]:
     """Where *statement* begins, with its decorators, which stand before it in the tree's positions."""
     places = [statement, *getattr(statement, "decorator_list", ())]
     return min((place.lineno, place.col_offset) for place in places)

@@ -8,9 +8,9 @@ import re
 from collections.abc import Callable
 
 from haros_ci.linters.pylint_idioms import nodes
-from haros_ci.linters.python_bindings import is_bound
 from haros_ci.records import dataclass
 from haros_ci.regex import regex
+from haros_ci.results.unreached import is_bound
 
 #: What SCons makes global in its scripts (its manual: "SConscript Functions", "Builders", "Command-Line Construction Variables", "Action Objects").
 _OF_SCONS = frozenset(

@@ -19,7 +19,7 @@ TOOL = "cppcheck"
 RULES = frozenset(
     """
     accessMoved arrayIndexOutOfBounds arrayIndexOutOfBoundsCond containerOutOfBounds containerOutOfBoundsIndexExpression
-    danglingLifetime danglingReference deallocuse derefInvalidIterator derefInvalidIteratorRedundantCheck
+    danglingLifetime danglingReference danglingTemporaryLifetime deallocuse derefInvalidIterator derefInvalidIteratorRedundantCheck eraseDereference
     invalidContainer legacyUninitvar
     negativeContainerIndex negativeIndex nullPointer nullPointerArithmetic nullPointerOutOfMemory
     nullPointerRedundantCheck uninitdata

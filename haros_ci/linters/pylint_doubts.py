@@ -11,6 +11,7 @@ import re
 
 from haros_ci.linters.class_methods import is_class_method, takes_value
 from haros_ci.linters.decorated import is_decorated
+from haros_ci.linters.pylint_definitions import is_of_renamed, is_the_same
 from haros_ci.linters.pylint_idioms import (
     is_choice_of_calls,
     is_instead_of_import,
@@ -105,7 +106,8 @@ def is_refuted(rule: str, line: int, column: int, text: str) -> bool:  # noqa: C
     if rule in _RAISED and is_overwritten(text, line):
         return True
     if rule == "no-value-for-parameter":
-        return _is_decorated(code, line, column) or is_unpacked(code, line, column)
+        is_given = _is_decorated(code, line, column) or is_unpacked(code, line, column)
+        return is_given or is_of_renamed(text, line, column)
     if rule in ("pointless-statement", "expression-not-assigned"):
         is_call = rule == "expression-not-assigned" and (_is_loop(code, line, column) or is_choice_of_calls(text, line))
         return is_call or is_stub(text, line) or _is_on_purpose(text, code, line)
@@ -126,7 +128,7 @@ def is_refuted(rule: str, line: int, column: int, text: str) -> bool:  # noqa: C
     if rule == "comparison-with-itself":
         return is_test_for_nan(text, line)
     if rule == "function-redefined":
-        return is_used_before(text, line) or is_instead_of_import(text, line)
+        return is_used_before(text, line) or is_instead_of_import(text, line) or is_the_same(text, line)
     if rule == "modified-iterating-dict":
         return is_of_known_key(text, line)
     if rule == "self-cls-assignment":

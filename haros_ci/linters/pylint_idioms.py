@@ -185,7 +185,8 @@ def is_instead_of_import(text: str, line: int) -> bool:
     imported = [
         one
         for one in above
-        if isinstance(one, (ast.Import, ast.ImportFrom)) and any(_bound(alias) == node.name for alias in one.names)
+        if isinstance(one, (ast.Import, ast.ImportFrom))
+        and any(_bound(alias) in (node.name, "*") for alias in one.names)
     ]
     return bool(imported) and not bound and not any(isinstance(one, ast.Name) and one.id == node.name for one in above)
 
@@ -199,10 +200,28 @@ def _bound(alias: ast.alias) -> str:
 
 
 def is_no_object(text: str, line: int, column: int) -> bool:
-    """Whether what is assigned there is called neither ``self`` nor ``cls``: the method lacks its first parameter, and assigns to its second one."""
+    """Whether what is assigned there is called neither ``self`` nor ``cls``: the method lacks its first parameter, and assigns to its second one.
+
+    Or it is what a method of the base class gives back of the object, and is returned: ``self = super().cuda()``.
+    """
+    if _is_given_back(text, line):
+        return True
     lines = text.split("\n")
     found = _WORD.match(lines[line - 1], column) if 0 < line <= len(lines) else None
     return found is not None and found[0] not in _OBJECTS
+
+
+def _is_given_back(text: str, line: int) -> bool:
+    for node in nodes(text):
+        body = node.body if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef) else []
+        found = next((one for one in body if isinstance(one, ast.Assign) and one.lineno == line), None)
+        if found is None or not isinstance(found.value, ast.Call) or not isinstance(found.value.func, ast.Attribute):
+            continue
+        base, last = found.value.func.value, body[-1]
+        is_base = isinstance(base, ast.Call) and isinstance(base.func, ast.Name) and base.func.id == "super"
+        given = last.value if isinstance(last, ast.Return) else None
+        return is_base and isinstance(given, ast.Name) and any(ast.unparse(one) == given.id for one in found.targets)
+    return False
 
 
 def is_of_known_key(text: str, line: int) -> bool:

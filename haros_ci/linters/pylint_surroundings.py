@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Messages of pylint that other files refute: how a method is called, which of two modules of one name is imported, and
-of which Python a package is."""
+"""Messages of pylint that other files refute: how a method is called, or that nothing calls it, which of two modules of one name is
+imported, and of which Python a package is."""
 
 from __future__ import annotations
 
@@ -10,6 +10,8 @@ from collections.abc import Iterable
 from haros_ci.linters.class_methods import CLASS, method_at
 from haros_ci.linters.decorated import is_call_of_decorated
 from haros_ci.linters.python2 import imports_future, is_of_python2, names_python3
+from haros_ci.linters.star_imports import is_of_unseen
+from haros_ci.linters.uncalled import is_uncalled
 from haros_ci.model.workspace import Workspace
 from haros_ci.regex import regex
 from haros_ci.results.result import Result
@@ -21,9 +23,9 @@ _OF_MODULES = frozenset(
 )
 #: ``yaml.load(stream)``, which PyYAML of Python 2 takes without a Loader.
 _LOADER = regex(r"argument 'Loader'")
-#: What later versions of Python say alone.
+#: What later versions of Python say alone; an index is no fraction where Python 2 divides whole numbers.
 _OF_PYTHON3 = frozenset(
-    "anomalous-backslash-in-string deprecated-argument deprecated-attribute deprecated-class deprecated-decorator deprecated-method"
+    "invalid-sequence-index invalid-slice-index anomalous-backslash-in-string deprecated-argument deprecated-attribute deprecated-class deprecated-decorator deprecated-method"
     " deprecated-module".split()
 )
 #: What pylint says of a call by the signature that the installed version of a library has.
@@ -75,7 +77,9 @@ def is_refuted_around(result: Result, workspace: Workspace) -> bool:
     if _is_refuted_by_age(result, workspace):
         return True
     if result.rule in _OF_SIGNATURES and (
-        _is_of_library(result, line, workspace) or is_call_of_decorated(result, workspace)
+        _is_of_library(result, line, workspace)
+        or is_call_of_decorated(result, workspace)
+        or is_uncalled(result.location.path, line, workspace)
     ):
         return True
     return result.rule in _OF_MODULES and _is_shadowed(result, line, workspace)
@@ -98,7 +102,7 @@ def _is_refuted_apart(result: Result, line: int, workspace: Workspace) -> bool:
         return _is_of_another_module(result.location.path, line, workspace)
     if result.rule == "syntax-error":
         return _TABS in result.message and _is_python2_around(result.location.path, workspace)
-    return _is_starred(result, workspace)
+    return _is_starred(result, workspace) or is_of_unseen(result.location.path, workspace)
 
 
 def _is_of_another_module(path: str, line: int, workspace: Workspace) -> bool:

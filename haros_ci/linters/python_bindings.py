@@ -15,28 +15,6 @@ _METHOD = regex(r"assert_?[Rr]aises\w*")
 _OF_VERSIONS = regex(r"version_info|hexversion|PY[23]|python_version\w*")
 
 
-def is_bound(nodes: Iterable[ast.AST], names: frozenset[str]) -> bool:
-    """Whether the file may give one of *names* a meaning of its own: as a variable, a class, an attribute, by an import, or by a text with the name."""
-    for node in nodes:
-        if isinstance(node, ast.Name | ast.Attribute) and isinstance(node.ctx, ast.Store | ast.Del):
-            if (node.id if isinstance(node, ast.Name) else node.attr) in names:
-                return True
-        elif isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef | ast.ExceptHandler):
-            if node.name in names:
-                return True
-        elif isinstance(node, ast.ImportFrom):
-            if any(alias.name == "*" or (alias.asname or alias.name) in names for alias in node.names):
-                return True
-        elif isinstance(node, ast.Import):
-            if any(alias.asname in names and alias.asname != alias.name for alias in node.names):
-                return True
-        elif isinstance(node, ast.Constant) and isinstance(node.value, str) and node.value in names:
-            return True
-        elif isinstance(node, ast.MatchAs | ast.MatchStar) and node.name in names:
-            return True
-    return False
-
-
 def is_of_tests(function: ast.expr, nodes: Iterable[ast.AST]) -> bool:
     """Whether *function* is ``raises`` or ``assertRaises`` of a test framework: by an import of the file, or a method of the test that the file does not define."""
     *owner, name = ast.unparse(function).split(".")

@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What catkin_lint says of a package and a check of ours says of the same thing: one finding, ours, which names the other."""
+"""What catkin_lint says of a package and a check of ours says of the same thing: one finding, ours, which names the other.
+
+So is what linters say of the markers of a merge that a check of ours names.
+"""
 
 from __future__ import annotations
 
@@ -14,6 +17,11 @@ from haros_ci.results.result import Related, Result
 TOOL = "catkin_lint"
 #: A finding names no more other places than this.
 MOST = 40
+#: The check of ours that names the markers of a merge, all files of one merge in one finding, and what linters say of the first marker of a file.
+_CONFLICT = "haros-ci:merge-conflict"
+_OF_MARKERS = frozenset(
+    ("pylint:syntax-error", "cppcheck:syntaxError", "ruff:invalid-syntax", "flake8:E999", "mypy:syntax")
+)
 
 _DEPENDENCY = ("undeclared-dependency", "undeclared-import", "undeclared-launch-dependency", "dependency-not-linked")
 _INSTALLATION = ("directory-not-installed", "target-not-installed")
@@ -58,8 +66,9 @@ def said_once(results: Iterable[Result], package_of: Callable[[str], str | None]
     """*results* in their order without those of catkin_lint that a finding of ours repeats, which then names them.
 
     They are of one package, which *package_of* tells of a path, and name one thing: or the directory that it is in.
+    Nor does a linter repeat what ours says of the markers of a merge.
     """
-    found = tuple(results)
+    found = _without_markers(results)
     by_package: dict[str, list[int]] = defaultdict(list)
     for i, result in enumerate(found):
         package = package_of(result.location.path) if result.tool == OURS else None
@@ -81,6 +90,27 @@ def said_once(results: Iterable[Result], package_of: Callable[[str], str | None]
             if i not in dropped
         ),
         package_of,
+    )
+
+
+def _without_markers(results: Iterable[Result]) -> tuple[Result, ...]:
+    """*results* without those of linters at markers of a merge that one of ours names, which then names their rules."""
+    found = tuple(results)
+    at: dict[tuple[str, int | None], int] = {}
+    for i, result in enumerate(found):
+        if result.full_id == _CONFLICT:
+            for place in (result.location, *(related.location for related in result.related)):
+                at.setdefault((place.path, place.line), i)
+    also: dict[int, set[str]] = defaultdict(set)
+    kept: list[int] = []
+    for i, result in enumerate(found):
+        twin = at.get((result.location.path, result.location.line)) if result.full_id in _OF_MARKERS else None
+        if twin is None:
+            kept.append(i)
+        else:
+            also[twin].update((result.full_id, *result.also))
+    return tuple(
+        replace(found[i], also=tuple(sorted({*found[i].also, *also[i]}))) if i in also else found[i] for i in kept
     )
 
 

@@ -13,7 +13,7 @@ from haros_ci.linters.dead_statements import is_dead
 from haros_ci.linters.doubting import Doubting
 from haros_ci.linters.given_names import is_given as is_given_by_tool
 from haros_ci.linters.pylint_idioms import nodes
-from haros_ci.linters.python_bindings import asks_for_version, is_bound
+from haros_ci.linters.python_bindings import asks_for_version
 from haros_ci.regex import regex
 from haros_ci.results.code_alone import code_alone
 from haros_ci.results.result import Result
@@ -35,10 +35,6 @@ _QUOTED = regex(r"['\"`](\w+)['\"`]")
 _ASKS_FOR_VERSION = regex(r"\bversion_info\b|\bPY[23]\b|\bpython_version|\bexcept[ \t(]+[^\n:]{0,80}\bNameError\b")
 #: What makes names that no reader of the text can know.
 _MAKES_NAMES = regex(r"\b(?:globals|vars|locals)\(\)[ \t]*(?:\[|\.(?:update|setdefault)\b)|(?<![\w.])exec(?:file)?\(")
-
-#: What ends the program, and what makes another thing of the name.
-_EXIT = regex(r"^[ \t]*(?:exit|quit|sys\.exit|os\._exit)[ \t]*\(", re.MULTILINE)
-_ENDS = frozenset({"exit", "quit", "_exit", "sys", "os"})
 
 _LATE = regex(r"^from __future__ import [^\n]*\bannotations\b", re.MULTILINE)
 _ANNOTATED = regex(r"(?:->|[\w)\]][ \t]*:)[ \t]*[\w\[\]., |]*$")
@@ -68,7 +64,7 @@ def weighed_names(
     a path, *is_ros1* tells of one whether it is of a package, or a workspace, of ROS 1; where the level *is_given* by the settings it stands.
     Where code of the workspace uses gettext (*is_translated*) its names are there.
     In a file that another one loads by its path (*is_loaded*) any name may have been put there; in one that a tool runs, which may be an extra
-    script of PlatformIO (*is_extra*), those that the tool gives it. Below an ``exit()`` of the module, and behind a ``return``, nothing is evaluated.
+    script of PlatformIO (*is_extra*), those that the tool gives it. Behind an ``exit()``, a ``return`` or a loop without an end nothing is evaluated.
     """
     weighed = []
     doubting = Doubting()
@@ -142,31 +138,7 @@ def _is_ready(result: Result, text: str) -> bool:
 def _is_never_run(result: Result, text: str) -> bool:
     """Whether nothing evaluates what stands at the place of *result*."""
     line, column = result.location.line, result.location.column
-    is_behind = line is not None and is_dead(text, line, None if column is None else column - 1)
-    return is_behind or _is_behind_exit(result, text)
-
-
-def _is_behind_exit(result: Result, text: str) -> bool:
-    """Whether a statement before the place of *result*, of the module itself or of the same branch of it, ends the program."""
-    line = result.location.line
-    if not line or not _EXIT.search(text) or is_bound(nodes(text), _ENDS):
-        return False
-    tree = next(iter(nodes(text)), None)
-    blocks = [tree.body] if isinstance(tree, ast.Module) else []
-    while blocks:
-        for statement in (block := blocks.pop()):
-            if _ends(statement) and statement.end_lineno and statement.end_lineno < line <= (block[-1].end_lineno or 0):
-                return True
-            if isinstance(statement, ast.If):
-                blocks += [statement.body, statement.orelse]
-    return False
-
-
-def _ends(statement: ast.stmt) -> bool:
-    """Whether the statement is ``exit()``, ``sys.exit()`` or the like."""
-    if not isinstance(statement, ast.Expr) or not isinstance(statement.value, ast.Call):
-        return False
-    return ast.unparse(statement.value.func) in ("exit", "quit", "sys.exit", "os._exit")
+    return line is not None and is_dead(text, line, None if column is None else column - 1)
 
 
 def _is_in_annotation(result: Result, text: str) -> bool:

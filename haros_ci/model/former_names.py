@@ -9,7 +9,11 @@ from haros_ci.regex import regex
 _SUPERSEDED = regex(
     r"(?P<a>.+?)[_-](?:old|backup|bak|copy|orig|original|deprecated|unused|obsolete|legacy)\d*"
     r"|(?:old|backup|bak|deprecated|unused|obsolete)[_-](?P<b>.+)"
+    # what editors and file managers call a copy: "main copy 2", "main - Copy (3)", "main (2)", "Copy of main"
+    r"|(?P<c>.+?)(?: (?:- )?[Cc]opy(?: ?\(?\d{1,3}\)?)?| ?\((?:copy|\d{1,3})\))|[Cc]opy of (?P<d>.+)"
 )
+#: Words of directories whose names say in passing that what they hold is not used: ``unneeded_scripts``.
+_PUT_ASIDE = frozenset("uneeded unneeded unused".split())
 #: Directories of what is no longer used.
 _ARCHIVES = frozenset(
     "archive archived archives attic backup backups bak deprecated graveyard legacy obsolete old trash unused".split()
@@ -19,9 +23,12 @@ _ARCHIVES = frozenset(
 def superseded(stem: str) -> str:
     """What a file was called of which this one, by its name without its ending, is a former version: ``arm`` for ``arm_old``; "" for others."""
     found = _SUPERSEDED.fullmatch(stem)
-    return "" if found is None else found["a"] or found["b"]
+    return "" if found is None else found["a"] or found["b"] or found["c"] or found["d"]
 
 
 def is_archived(path: str) -> bool:
     """Whether the file at *path* is in a directory of what is no longer used, by its name."""
-    return not _ARCHIVES.isdisjoint(path.rpartition("/")[0].lower().split("/"))
+    folders = path.rpartition("/")[0].lower().split("/")
+    return not _ARCHIVES.isdisjoint(folders) or any(
+        not _PUT_ASIDE.isdisjoint(re.split(r"[^a-z0-9]+", folder)) for folder in folders
+    )

@@ -18,7 +18,7 @@ from haros_ci.model.location import Location
 from haros_ci.records import dataclass
 from haros_ci.regex import regex
 from haros_ci.results import alike as beside
-from haros_ci.results.across import across, standing_for
+from haros_ci.results.across import across, standing_for, uses
 from haros_ci.results.comments import bare, lines_of, syntax
 from haros_ci.results.result import Report, Result, Run
 from haros_ci.results.scope import LineScopes, scopes
@@ -62,8 +62,9 @@ def _joined_run(run: Run, texts: _Texts) -> Run:
     if run.imported or run.tool.name == _COUNTED:
         return run
     alike: dict[tuple[object, ...], list[int]] = defaultdict(list)
+    whole, run = run, replace(run, results=uses(run.results))
     for i, result in enumerate(run.results):
-        if result.state in beside.UNITED and not result.suppressions and result.value is None:
+        if result.state in beside.UNITED and not result.suppressions and not result.copies and result.value is None:
             shape = _WORD.sub("_", result.message)
             ending = splitext(result.location.path)[1]
             alike[result.rule, result.level, result.state, shape, ending, result.location.line is None].append(i)
@@ -76,7 +77,7 @@ def _joined_run(run: Run, texts: _Texts) -> Run:
                 dropped.update(others)
     results = [_joined(one, copies[i]) if i in copies else one for i, one in enumerate(run.results) if i not in dropped]
     joined = twins(across(beside.joined(results)), texts.text, LARGEST)
-    return replace(run, results=_with_originals(joined, run.results))
+    return replace(run, results=_with_originals(joined, whole.results))
 
 
 def _with_originals(joined: Sequence[Result], results: Sequence[Result]) -> tuple[Result, ...]:

@@ -24,14 +24,21 @@ _SHOWN = 3
 
 def put_together(first: Result, others: Sequence[Result]) -> Result:
     """*first* with the places of *others*; its level is the worst of theirs."""
-    places = tuple(Related(other.location, f"Of the same cause: {other.message}") for other in others)
+    places = tuple(
+        place
+        for other in others
+        for place in (
+            Related(other.location, f"Of the same cause: {other.message}"),
+            *(other.related if other.parts else ()),
+        )
+    )
     level = min((first.level, *(other.level for other in others)), key=lambda level: level.rank)
     return replace(
         first,
         level=level,
         related=(*first.related, *places),
         message=_message(first, others),
-        parts=(first, *others),
+        parts=tuple(part for result in (first, *others) for part in parts_of(result)),
     )
 
 
@@ -46,9 +53,8 @@ def _message(first: Result, others: Sequence[Result]) -> str:
         return first.message
     shown = [*names][:_SHOWN]
     more = ", …" if len(names) > _SHOWN else ""
-    return (
-        f"{first.message.rstrip('.')}; {len(names)} more names are not defined in this file: {', '.join(shown)}{more}"
-    )
+    count = "1 more name is" if len(names) == 1 else f"{len(names)} more names are"
+    return f"{first.message.rstrip('.')}; {count} not defined in this file: {', '.join(shown)}{more}"
 
 
 def parts_of(result: Result) -> tuple[Result, ...]:

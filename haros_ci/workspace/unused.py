@@ -30,6 +30,8 @@ _FOUND = regex(r"(?:__\w+__|setup|conf|conftest|noxfile|fabfile|manage|test_.*|.
 _SKETCHES = frozenset(
     "drafts experiments notes playground sandbox scratch scratchpad temp testing tmp trials tryout".split()
 )
+#: Names of files that hold what somebody has tried out.
+_TRIED = regex(r"(?:drafts?|scratch(?:pad)?|playground|sandbox|te?mp|trial|tryout|untitled)[_-]?\d{0,3}")
 _ARCHIVED_TEST = regex(r"test_.*|.*_test")
 #: The first comments and text of a Python file, and what they say of one that is kept for reference.
 _HEAD = 2_000
@@ -97,7 +99,11 @@ class Unused(Judged):
         for other in self._by_order if stems else ():
             text = as_python_reads(self._workspace.text(other.path))
             if other.language in ("python", "launch", "setup", "cmake") and _DYNAMIC.search(text):
-                stems = {path: stem for path, stem in stems.items() if self._files[path].package != other.package}
+                stems = {
+                    path: stem
+                    for path, stem in stems.items()
+                    if self._files[path].package != other.package or " " in stem  # no module has such a name
+                }
             for path, stem in tuple(stems.items()):
                 if self._is_set_aside(self._files[path]) and self._is_set_aside(other):
                     continue  # what is archived together names each other, and so do trials
@@ -120,6 +126,8 @@ class Unused(Judged):
             return True
         if _FOUND.fullmatch(stem) or _OF_TOOLS.intersection(directory.split("/")):
             return False
+        if _TRIED.fullmatch(stem.lower()):
+            return True
         return self._is_set_aside(file) or self._is_superseded(stem, directory) or self._is_given_up(file.path)
 
     def _is_set_aside(self, file: SourceFile) -> bool:

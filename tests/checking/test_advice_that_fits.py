@@ -83,6 +83,9 @@ def test_a_number_for_a_text(default: str, value: str, words: str, tmp_path: Pat
 
 
 ROBOT = "<robot name='r'>{}<link name='box'/><joint name='j' type='fixed'><parent link='{}'/><child link='{}'/></joint></robot>\n"
+#: One more joint on a link of another robot, and the configuration of that one, which takes the file in.
+SECOND = "<link name='lid'/><joint name='k' type='fixed'><parent link='mount'/><child link='lid'/></joint>"
+YAML = "platform:\n  extras:\n    urdf:\n      package: demo\n      path: urdf/r.urdf\n"
 SHOWN = (
     '<launch><node pkg="robot_state_publisher" exec="robot_state_publisher" name="rsp">'
     '<param name="robot_description" value="$(command \'cat $(find-pkg-share demo)/urdf/r.urdf\')"/></node></launch>\n'
@@ -94,6 +97,10 @@ SHOWN = (
     [
         (ROBOT.format("", "base", "box"), "", ["note"]),
         (ROBOT.format("", "base", "box"), SHOWN, ["error"]),
+        (ROBOT.format("", "base", "box").replace(" name='r'", ""), YAML, ["note"]),
+        (ROBOT.format(SECOND, "base", "box").replace(" name='r'", ""), YAML, ["note", "note"]),
+        (ROBOT.format(SECOND, "base", "box"), YAML, ["error", "error"]),
+        (ROBOT.format("", "base", "bax").replace(" name='r'", ""), YAML, ["error", "error"]),
         (ROBOT.format("<link name='base'/>", "base", "bax"), "", ["error"]),
         (ROBOT.format("<link name='base'/>", "base", "box"), "", []),
         (ROBOT.format("<link name='base'/>", "base", "box"), SHOWN, []),
@@ -103,7 +110,7 @@ def test_a_part_for_another_robot(robot: str, launch: str, levels: list[str], tm
     files = {
         "walk.cpp": WALK.format("1.0"),
         "urdf/r.urdf": robot,
-        **({"launch/a.launch.xml": launch} if launch else {}),
+        **({"config/robot.yaml" if launch == YAML else "launch/a.launch.xml": launch} if launch else {}),
     }
     found = messages("broken-robot-model", files, tmp_path)
     assert [level for level, _ in found] == levels

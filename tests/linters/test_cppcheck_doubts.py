@@ -440,6 +440,9 @@ FEOF = "Using feof() as a loop condition causes the last line to be processed tw
         "  size_t n = fread(buffer, 1, 80, pipe);\n  if (n == 0) break;\n  use(buffer, n);\n",
         "  char * line = (char *)fgets(buffer, 80, pipe);\n  // next\n  if (line != NULL) use(line);\n",
         "  c = fgetc(pipe);\n  if (c == EOF) { break; }\n",
+        '  fscanf(pipe, "%lf\\t%lf\\n", &p.x, &p.y);\n  points.push_back(p);\n',
+        '  std::fscanf(it->pipe, "%d ", &a);\n  use(a);\n',
+        '  fscanf(pipe, "%d,"\n    "%d\\r\\n", &a, &b);\n  use(a);\n',
     ],
 )
 def test_a_read_that_is_checked(body: str) -> None:
@@ -458,6 +461,11 @@ def test_a_read_that_is_checked(body: str) -> None:
         "  use(buffer);\n}\nif (fgets(buffer, 80, pipe)) {\n",
         "  if (a) { fgets(buffer, 80, pipe); }\n",
         '  puts("if (fgets(x))");\n  fgets(buffer, 80, pipe);\n',
+        '  fscanf(pipe, "%d\\n", &a);\n  fgets(buffer, 80, pipe);\n  use(a);\n',
+        '  fscanf(pipe, "%d\\n%d", &a, &b);\n  use(a);\n',
+        '  fscanf(pipe, "%dn", &a);\n  use(a);\n',
+        '  fscanf(pipe, format, &a, "\\n");\n  use(a);\n',
+        '  // fscanf(pipe, "%d\\n", &a);\n  fscanf(pipe, "%d", &a);\n  use(a);\n',
     ],
 )
 def test_a_read_that_is_not_checked(body: str) -> None:
@@ -662,3 +670,24 @@ def test_a_local_array_that_is_copied(declared: str) -> None:
 )
 def test_the_address_of_a_local_variable(declared: str, use: str) -> None:
     assert not is_refuted("autoVariables", AUTO, 3, f"void f(int ** out) {{\n  {declared}\n  {use}\n}}\n")
+
+
+FIELD = "Non-local variable 'res.res' will use object that points to local variable 'buffer'."
+
+
+@pytest.mark.parametrize(
+    ("parameter", "expected"),
+    [
+        ("robotiq_ft_sensor::sensor_accessor::Response& res", True),
+        ("demo::Get::Response &res", True),
+        ("std::shared_ptr<demo::srv::Get::Response> res", False),
+        ("const demo_msgs::msg::Text::SharedPtr res", True),
+        ("demo_msgs::Text & res", True),
+        ("Result & res", False),
+        ("demo::Holder & res", False),
+        ("demo::Get::Response & other", False),
+    ],
+)
+def test_fields_of_messages_copy_what_they_are_given(parameter: str, expected: bool) -> None:
+    text = f"bool go({parameter}) {{\n  char buffer[100];\n  res.res = buffer;\n}}\n"
+    assert is_refuted("danglingLifetime", FIELD, 3, text) is expected

@@ -21,6 +21,7 @@ from haros_ci.linters.python2 import is_newer, is_python2, why_unreadable
 from haros_ci.model.package import Package, SourceFile
 
 PYTHON_2 = [
+    "raise 'State', 'no state'\n",
     'print "x"\n',
     "    print 'x' % y\n",
     "print x, y\n",
@@ -47,6 +48,7 @@ NOT_PYTHON_2 = [
     "except_ = a, b\n",
     "try:\n    f()\nexcept (A, B) as e:\n    pass\n",
     "raise ValueError('a, b')\n",
+    "raise 'a, b' +\n",
     "#!/usr/bin/env python3\nx = (\n",
     "x = 0o755 +\n",
     "# say `x` and a <> b\nx = (\n",

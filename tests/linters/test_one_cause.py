@@ -33,6 +33,8 @@ def lines(results: list[Result]) -> list[list[int | None]]:
         ([found(3, "p"), found(5, "p")], [[3, 5]]),
         ([found(5, "p"), found(3, "p")], [[3, 5]]),
         ([found(3, "p", 2), found(5, "q", 2)], [[3, 2, 5]]),  # one line explains both
+        ([found(line, "it", rule="eraseDereference") for line in (3, 9)], [[3, 9]]),
+        ([found(line, "it", rule="eraseDereference") for line in (3, SECOND)], [[3], [SECOND]]),
         ([found(3, "p"), found(4, "q"), found(8, "p", 6), found(9, "q", 6)], [[3, 4, 8, 9]]),  # a pair
         ([found(3, "p"), found(5, "q")], [[3], [5]]),
         ([found(3, "p", 2), found(5, "q", 4)], [[3, 2], [5, 4]]),

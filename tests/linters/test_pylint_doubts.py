@@ -568,7 +568,7 @@ def test_a_function_instead_of_an_import() -> None:
         IMPORTED.format("def rotate():\n    pass"),
         IMPORTED.format("").replace("    rotate,", "    rotate as spin,"),
         IMPORTED.format("").replace("def rotate(axis):\n    return axis", "class A:\n    def rotate(self): pass"),
-        "def rotate():\n    pass\n\n\n\n\ndef rotate():\n    pass\n",
+        "def rotate():\n    pass\n\n\n\n\ndef rotate():\n    return 1\n",
     ],
 )
 def test_a_function_that_is_defined_twice(text: str) -> None:

@@ -456,7 +456,6 @@ def test_names_of_a_module_beside(tmp_path: Path, module: str) -> None:
 @pytest.mark.parametrize(
     ("text", "more"),
     [
-        (WHOLE, {}),
         (WHOLE, {"a/src/arm.py": "class Arm: pass\n"}),
         (WHOLE, {"a/src/a/arm.py": "class Arms: pass\n"}),
         (WHOLE, {"a/src/a/arm.py": "class Hand:\n    Arm = 1\n"}),
@@ -518,3 +517,44 @@ def test_an_import_of_another_module_of_that_name(tmp_path: Path, path: str, fil
 )
 def test_an_import_of_itself(tmp_path: Path, path: str, files: dict[str, str]) -> None:
     assert not imports_another(tmp_path, files, path)
+
+
+BINDS = "PYBIND11_MODULE(core, m) {}\n"
+
+
+@pytest.mark.parametrize(
+    ("text", "more"),
+    [
+        (WHOLE, {}),
+        ("__all__ = ['Arm']\ntry:\n    from arm_msgs.msg import *\nexcept ImportError:\n    pass\n", {}),
+        (WHOLE.replace("arm", ".core"), {"a/src/core.cpp": BINDS}),
+        (WHOLE.replace("arm", ".core"), {"a/CMakeLists.txt": "pybind11_add_module(core src/core.cpp)\n"}),
+        (WHOLE.replace("arm", ".core"), {"a/setup.py": "setup(ext_modules=[Extension('a.core', [])])\n"}),
+        (WHOLE.replace("arm", ".core"), {"a/src/a/core.cpython-310-x86_64-linux-gnu.so": ""}),
+        (WHOLE.replace("arm", ".core"), {"a/src/a/core.py": "from arm_can import *\n__all__ = ['Arm']\n"}),
+        (
+            WHOLE.replace("arm", "."),
+            {"a/src/a/__init__.py": WHOLE.replace("arm", ".b"), "a/src/a/b.py": "from c import *\n"},
+        ),
+    ],
+)
+def test_names_that_a_module_that_is_not_seen_may_have(tmp_path: Path, text: str, more: dict[str, str]) -> None:
+    assert of_all(tmp_path, text, more)
+
+
+@pytest.mark.parametrize(
+    ("text", "more"),
+    [
+        ("__all__ = ['Arm']\n", {}),
+        ("__all__ = ['Arm']\nfrom arm import Hand\n", {}),
+        ("__all__ = ['Arm']\n# from arm import *\n", {}),
+        ("__all__ = ['Arm']\nfrom math import *\n", {}),
+        ("__all__ = ['Arm']\nfrom os.path import *\n", {}),
+        (WHOLE.replace("arm", ".core"), {}),
+        (WHOLE.replace("arm", ".core"), {"a/src/core.cpp": BINDS.replace("core", "other")}),
+        (WHOLE.replace("arm", ".core"), {"a/src/a/core.py": "from math import *\n"}),
+        (WHOLE.replace("arm", ".core"), {"a/src/a/core.py": "from .core import *\n"}),
+    ],
+)
+def test_names_that_no_module_that_is_seen_has(tmp_path: Path, text: str, more: dict[str, str]) -> None:
+    assert not of_all(tmp_path, text, more)

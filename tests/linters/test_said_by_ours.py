@@ -7,7 +7,7 @@ import pytest
 
 from haros_ci.linters.said_by_ours import said_once, unrepeated
 from haros_ci.model.location import Location
-from haros_ci.results.result import Result
+from haros_ci.results.result import Related, Result
 from haros_ci.results.rule import Level
 
 NEEDS = "robot needs tf to build (#include <tf/tf.h>), and nothing that it declares brings it; add <depend>tf</depend>."
@@ -114,3 +114,36 @@ def test_a_hint_that_is_left_out_is_not_told_by_the_other(package: str, text: st
     found = unrepeated([theirs, other], [hint], lambda path: path.partition("/")[0])
     assert len(found) == left + 1 and found[-1] == other
     assert unrepeated([theirs, other], [], lambda path: "robot") == (theirs, other)
+
+
+def of_markers(*others: tuple[str, str, str, int]) -> list[tuple[str, tuple[str, ...]]]:
+    related = Related(Location("b.py", 9), "the markers of the same merge")
+    ours = Result(
+        "haros-ci", "merge-conflict", Level.ERROR, "a.py holds the markers", Location("a.py", 7), related=(related,)
+    )
+    given = [Result(tool, rule, Level.ERROR, "bad", Location(path, line)) for tool, rule, path, line in others]
+    return [(r.full_id, r.also) for r in said_once([*given, ours], lambda path: None)]
+
+
+def test_the_markers_of_a_merge_are_one_finding() -> None:
+    both = of_markers(("pylint", "syntax-error", "a.py", 7), ("pylint", "syntax-error", "b.py", 9))
+    assert both == [("haros-ci:merge-conflict", ("pylint:syntax-error",))]
+    assert of_markers(("ruff", "invalid-syntax", "a.py", 7)) == [("haros-ci:merge-conflict", ("ruff:invalid-syntax",))]
+
+
+@pytest.mark.parametrize(
+    "other",
+    [
+        ("pylint", "syntax-error", "a.py", 3),
+        ("pylint", "syntax-error", "c.py", 7),
+        ("pylint", "syntax-error", "b.py", 7),
+        ("pylint", "undefined-variable", "a.py", 7),
+    ],
+)
+def test_what_is_not_of_the_markers(other: tuple[str, str, str, int]) -> None:
+    assert of_markers(other) == [(":".join(other[:2]), ()), ("haros-ci:merge-conflict", ())]
+
+
+def test_a_fault_of_syntax_without_a_merge() -> None:
+    fault = Result("pylint", "syntax-error", Level.ERROR, "bad", Location("a.py", 7))
+    assert said_once([fault], lambda path: None) == (fault,)

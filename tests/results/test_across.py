@@ -8,7 +8,7 @@ from dataclasses import replace
 import pytest
 
 from haros_ci.model.location import Location
-from haros_ci.results.across import across
+from haros_ci.results.across import across, uses
 from haros_ci.results.copied import together
 from haros_ci.results.result import BaselineState, Report, Result, Run, Suppression, Tool
 from haros_ci.results.rule import Level
@@ -87,3 +87,33 @@ def test_the_report_of_people_has_them_once() -> None:
 )
 def test_what_stays_apart(other: Result) -> None:
     assert across((A, other)) == (A, other)
+
+
+def unknown(path: str, line: int, name: str = "pi_robot") -> Result:
+    message = f"package '{name}' does not exist; did you mean '{name}s'?"
+    return Result("haros-ci", "unknown-package", Level.ERROR, message, Location(path, line), subject=(name,))
+
+
+def test_one_name_that_is_not_there_in_several_files() -> None:
+    found = (unknown("a.launch", 2), unknown("a.launch", 9), unknown("b.launch", 3), unknown("c.launch", 3))
+    (one,) = uses(found)
+    assert one.message.endswith("; and the same in 2 other files (b.launch, c.launch)")
+    assert [copy.location for copy in one.copies] == [found[index].location for index in (2, 3, 1)]
+    (shown,) = together(Report(runs=(Run(Tool("haros-ci"), results=found),)), lambda path: "", lambda path: "demo").runs
+    assert [len(result.copies) for result in shown.results] == [3]
+
+
+@pytest.mark.parametrize(
+    "found",
+    [
+        (unknown("a.launch", 2), unknown("a.launch", 9)),
+        (unknown("a.launch", 2), unknown("b.launch", 2, "other")),
+        (unknown("a.launch", 2), replace(unknown("b.launch", 2), level=Level.NOTE)),
+        (unknown("a.launch", 2), replace(unknown("b.launch", 2), state=BaselineState.NEW)),
+        (unknown("a.launch", 2), replace(unknown("b.launch", 2), suppressions=(Suppression("inSource", ""),))),
+        (unknown("a.launch", 2), replace(unknown("b.launch", 2), message="package 'pi_robot' does not exist.")),
+        (A, B),
+    ],
+)
+def test_names_that_are_not_one(found: tuple[Result, ...]) -> None:
+    assert uses(found) == found

@@ -114,7 +114,7 @@ def test_the_known_and_the_new_names_are_told_apart() -> None:
     before = FOUR + OTHER.format("no_e")
     found = compared(before, before + OTHER.format("no_f + no_g"))
     assert [(state, line) for state, line, _ in found] == [("unchanged", 2), ("new", 10)]
-    assert found[1][2] == "Undefined variable 'no_f'; 1 more names are not defined in this file: 'no_g'"
+    assert found[1][2] == "Undefined variable 'no_f'; 1 more name is not defined in this file: 'no_g'"
 
 
 def test_a_comment_silences_the_part_in_its_line_and_no_other() -> None:

@@ -91,6 +91,8 @@ ROWS: tuple[dict[str, object], ...] = (
     {"call": "costmap_2d::Costmap2DROS", "args": [2], "unseen": "a costmap and its layers are made"},
     {"call": "moveit::planning_interface::MoveGroupInterface", "args": [1, 2, 3],
      "unseen": "a client of move_group is made"},
+    {"call": "moveit::planning_interface::MoveGroup", "args": [1, 2, 3],  # its name up to Indigo's end
+     "unseen": "a client of move_group is made"},
     {"call": "moveit::planning_interface::PlanningSceneInterface", "args": [0, 1, 2],
      "unseen": "a client of move_group is made"},
     {"call": "planning_scene_monitor::PlanningSceneMonitor", "args": [1, 2, 3, 4],
