@@ -38,12 +38,18 @@ _MORE_THAN_TRUTH = re.compile(r"[-=<>+*/%^~?,]|(?<!&)&(?!&)|(?<!\|)\|(?!\|)")
 
 #: In what a macro stands for such a word takes the next line with it; and what is a raw text only where lines are not joined.
 _SAID = re.compile(r"(?:#|%:)[ \t]*(?:warning|error)\b[^\n]*\\[ \t]*\r?\n")
+_RETURN = re.compile(r"\r(?!\r*\n)")
 _RAW = re.compile(r"[\w.'](?:\\[ \t]*\r?\n)+(?:u8|[uUL])?R\"")
 _SIGNS = re.compile(r"[-+!~][ \t]*[-+!~](?!=)")
 _UNSIGNED = re.compile(r"\b\d[\da-fA-FxX']{0,40}[lL]{0,2}[uU][lLzZ]{0,2}\b")
 _ARITHMETIC = re.compile(r"[-+*~]")
 _CALL = re.compile(r"\b\w+[ \t]*\([^()]*\)")
 _DEEPEST = 8
+#: Names that GCC has, or defines otherwise, by a flag alone: of optimization, of warnings about what is written at run time, of sanitizers.
+_BY_FLAGS = re.compile(
+    r"\b(?:__OPTIMIZE(?:_SIZE)?__|__NO_INLINE__|__NO_MATH_ERRNO__|__FAST_MATH__|__FINITE_MATH_ONLY__|__SSP(?:_\w+)?__|__PI[CE]__|__pi[ce]__|__GXX_RTTI|__EXCEPTIONS"
+    r"|_FORTIFY_SOURCE|__SANITIZE_\w+__|__STRICT_ANSI__|__CHAR_UNSIGNED__|_GLIBCXX_ASSERTIONS|_GLIBCXX_DEBUG)\b"
+)
 _HAS = re.compile(r"\b__has_(?!include(?:_next)?[ \t]*\([ \t]*\")\w+")
 
 
@@ -76,12 +82,16 @@ def odd_conditions(code: str) -> Iterator[str]:
             yield "a condition that calculates with numbers without a sign"
         if "," in condition and "," in _without_calls(condition):
             yield "a condition with a comma"
+    if _BY_FLAGS.search(code) is not None and any(has_code(code, chain) for chain in chains(code, _BY_FLAGS)):
+        yield "a condition on what flags of a compiler define, and code under it,"
     if "__has_" in code and any(has_code(code, chain) for chain in chains(code, _HAS)):
         yield "a condition on what a compiler has, and code under it,"
 
 
 def odd_lines(text: str) -> Iterator[str]:
     """Lines of *text* that go on in the next one in a place where cppcheck does not see that, in words; takes linear time."""
+    if "\r" in text and _RETURN.search(text) is not None:
+        yield "a line that ends in a carriage return alone"
     if "\\" not in text:
         return
     if ("warning" in text or "error" in text) and any(_SAID.search(match[0]) for match in _DEFINITION.finditer(text)):
