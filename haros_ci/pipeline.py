@@ -23,6 +23,8 @@ from haros_ci.hosting import hosted
 from haros_ci.linters import catalogue
 from haros_ci.linters.duplicates import drop_unfounded, merge_same_defects
 from haros_ci.linters.endpoint_macros import notifications as endpoint_macros
+from haros_ci.linters.given_endpoints import notifications as given_endpoints
+from haros_ci.linters.lost_setup import notifications as lost_setup
 from haros_ci.linters.metrics import keep_worst_band
 from haros_ci.linters.missing_names import notifications as missing_names
 from haros_ci.linters.one_cause import one_cause
@@ -69,7 +71,7 @@ Progress = Callable[[str], None]
 #: What is found out of a whole revision at once: what the checks say of its architecture, and what only all its code tells.
 ARCHITECTURE, STRUCTURE = "architecture", "structure"
 #: What a change brings that linters, or the model, see in another way than whoever runs it.
-_LOOKS = (seen_otherwise, used_aside, endpoint_macros, unbound_names, missing_names)
+_LOOKS = (seen_otherwise, used_aside, endpoint_macros, given_endpoints, lost_setup, unbound_names, missing_names)
 
 #: That of the head and of the base revision, once it is clear what they are.
 Recorded = Callable[[Workspace, Base | None], tuple[Testimony, Testimony | None]]
