@@ -21,20 +21,14 @@ from haros_ci.config.selector import check_selectors, slip_finder
 from haros_ci.config.settings import PROFILES, Settings
 from haros_ci.hosting import hosted
 from haros_ci.linters import catalogue
+from haros_ci.linters.brought_otherwise import notifications as brought_otherwise
 from haros_ci.linters.duplicates import drop_unfounded, merge_same_defects
-from haros_ci.linters.endpoint_macros import notifications as endpoint_macros
-from haros_ci.linters.given_endpoints import notifications as given_endpoints
-from haros_ci.linters.lost_setup import notifications as lost_setup
 from haros_ci.linters.metrics import keep_worst_band
-from haros_ci.linters.missing_names import notifications as missing_names
 from haros_ci.linters.one_cause import one_cause
 from haros_ci.linters.recorded import Testimony
 from haros_ci.linters.run import lint
 from haros_ci.linters.said_by_ours import said_once
-from haros_ci.linters.seen_otherwise import notifications as seen_otherwise
 from haros_ci.linters.settings_changes import notifications as changed_settings
-from haros_ci.linters.unbound_names import notifications as unbound_names
-from haros_ci.linters.used_aside import notifications as used_aside
 from haros_ci.linting import (
     confinement,
     contradictions,
@@ -70,8 +64,6 @@ from haros_ci.workspace.provenance import provenance
 Progress = Callable[[str], None]
 #: What is found out of a whole revision at once: what the checks say of its architecture, and what only all its code tells.
 ARCHITECTURE, STRUCTURE = "architecture", "structure"
-#: What a change brings that linters, or the model, see in another way than whoever runs it.
-_LOOKS = (seen_otherwise, used_aside, endpoint_macros, given_endpoints, lost_setup, unbound_names, missing_names)
 
 #: That of the head and of the base revision, once it is clear what they are.
 Recorded = Callable[[Workspace, Base | None], tuple[Testimony, Testimony | None]]
@@ -97,7 +89,7 @@ def analyse(
         past = base if isinstance(base, Base) else None
         changed = changed_settings(workspace, past.workspace if past and past.settings else None)
         then = past.workspace if past else None
-        changed += tuple(note for look in _LOOKS for note in look(workspace, then))
+        changed += brought_otherwise(workspace, then)
         workspace = settled(workspace, settings, base)
         head, old = (None, None) if recorded is None else recorded(workspace, past)
         left = left_out(workspace, settings, base)
