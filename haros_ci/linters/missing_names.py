@@ -220,8 +220,12 @@ def _taken(text: str) -> Iterator[tuple[str, str, int]]:
                 package, _, name = alias.name.rpartition(".")
                 if package:
                     found.append((package, name, node.lineno))
-                if alias.asname or not package:
-                    imported[alias.asname or alias.name] = alias.name
+                imported[alias.asname or alias.name] = alias.name
+        elif isinstance(node, ast.Call) and _chain(node.func).rpartition(".")[2] == "import_module":
+            given_name = node.args[0].value if node.args and isinstance(node.args[0], ast.Constant) else None
+            package, _, name = given_name.rpartition(".") if isinstance(given_name, str) else ("", "", "")
+            if package.strip("."):
+                found.append((package, name, node.lineno))
     yield from found
     yield from _attributes(every, skipped, imported)
 
@@ -247,15 +251,24 @@ def _attributes(
         elif isinstance(node, ast.Call) and isinstance(node.func, ast.Name):
             if node.func.id in ("hasattr", "getattr", "setattr", "delattr"):
                 others.update(one.id for one in node.args[:1] if isinstance(one, ast.Name))
-        elif isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name):
+        elif isinstance(node, ast.Attribute) and (name := _chain(node.value)) in imported:
             if not isinstance(node.ctx, ast.Load):
-                given.add((node.value.id, node.attr))
+                given.add((name, node.attr))
             elif id(node) not in skipped:
-                used.append((node.value.id, node.attr, node.lineno))
+                used.append((name, node.attr, node.lineno))
     for name, attribute, line in used:
-        module = imported.get(name)
-        if module and name not in others and count.get(name) == 1 and (name, attribute) not in given:
-            yield module, attribute, line
+        first, dot, _ = name.partition(".")
+        if first not in others and (dot or count.get(name) == 1) and (name, attribute) not in given:
+            yield imported[name], attribute, line
+
+
+def _chain(node: ast.expr) -> str:
+    """The dotted name that *node* is; "" for anything else."""
+    names: list[str] = []
+    while isinstance(node, ast.Attribute):
+        names.append(node.attr)
+        node = node.value
+    return ".".join((node.id, *reversed(names))) if isinstance(node, ast.Name) else ""
 
 
 def _unrun(node: ast.AST, given: dict[str, object]) -> Iterator[ast.AST]:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Prefixes of launch files that start something else in place of the node, which the model has all the same: ``launch-prefix="echo"``."""
+"""Commands of launch files that start something else than the model has: a prefix in place of the node (``launch-prefix="echo"``), a shell's own words."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from html import unescape
 
 from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Workspace
-from haros_ci.results.code_alone import code_alone
+from haros_ci.results.code_alone import without_comments
 from haros_ci.results.result import Notification
 from haros_ci.results.rule import Level
 
@@ -35,6 +35,12 @@ _IN_YAML = re.compile(
     r"^[ \t-]*[\"']?launch-prefix[\"']?[ \t]*:[ \t]*(?:\"([^\"\n]*)\"|'([^'\n]*)'|([^\"'#\s][^#\n]*))", re.M
 )
 _IN_PYTHON = re.compile(r"(?<![\w.])prefix\s*=\s*(?:\[\s*)?(?:\"([^\"\n]*)\"|'([^'\n]*)')")
+#: A shell's variable, function or alias that stands for what starts programs.
+_STANDS = re.compile(
+    r"(?<![\w$-])(?:\w+=\\?[\"']?(?:[\w./]*/)?(?:ros2|rosrun|roslaunch)\b|(?:\w+[ \t]*\([ \t]*\)|function[ \t]+\w+)[ \t]*\{[^{}\n]{0,200}\b(?:ros2|rosrun|roslaunch)\b"
+    r"|alias[ \t]+\w+=[^\n]{0,20}?\b(?:ros2|rosrun|roslaunch)\b)"
+)
+_SHELL_TEXT = re.compile(r"\b(?:ba|da|z|k)?sh\b[^\n]{0,40}-\w?c\b")
 _OF_LAUNCH = re.compile(r"\blaunch(?:_ros)?\.actions\b|\blaunch_ros\b")
 
 
@@ -44,24 +50,21 @@ def notifications(head: Workspace, base: Workspace | None) -> tuple[Notification
         return ()
     old, now = ({file.digest for file in one.files} for one in (base, head))
     found = [
-        (file.path, line, prefix)
+        (file.path, line, words)
         for file in head.files
         if file.digest not in old and not file.third_party and head.reports_on(file.path)
-        for line, prefix in _of(file, head)
+        for line, words in _of(file, head)
     ]
     if not found:
         return ()
-    known = {prefix for file in base.files if file.digest not in now for _, prefix in _of(file, base)}
+    known = {words for file in base.files if file.digest not in now for _, words in _of(file, base)}
     new = [one for one in found if one[2] not in known]
-    notes = [Notification(Level.NOTE, _message(prefix), path=path, line=line) for path, line, prefix in new[:MOST]]
-    rest = f"{len(new) - MOST} more prefixes may start something else than the node since this change"
+    notes = [
+        Notification(Level.NOTE, f"since this change {words}; look at it", path=path, line=line)
+        for path, line, words in new[:MOST]
+    ]
+    rest = f"{len(new) - MOST} more commands of launch files may start something else than the model has, since this change"
     return (*notes, *([Notification(Level.NOTE, rest)] if len(new) > MOST else []))
-
-
-def _message(prefix: str) -> str:
-    plain = " ".join(prefix.split())
-    plain = plain if len(plain) <= _QUOTED else f"{plain[:_QUOTED]}…"
-    return f"since this change the prefix '{plain}' may start something else than the node, which the model has all the same; look at it"
 
 
 def _of(file: SourceFile, workspace: Workspace) -> Iterator[tuple[int, str]]:
@@ -70,20 +73,38 @@ def _of(file: SourceFile, workspace: Workspace) -> Iterator[tuple[int, str]]:
 
 
 def odd_prefixes(text: str, language: str) -> Iterator[tuple[int, str]]:
-    """The lines of such prefixes in a file of that *language*, and what they are; takes linear time."""
-    if "prefix" not in text or (language == "python" and _OF_LAUNCH.search(text) is None):
+    """The lines of such prefixes in a file of that *language*, and what they do, in words; takes linear time."""
+    if not any(word in text for word in ("prefix", "ros2", "rosrun", "roslaunch")):
         return
     if language == "python":
-        kinds = ((_IN_PYTHON, text),) if "prefix" in code_alone(text, "python") else ()
+        if _OF_LAUNCH.search(text) is None:
+            return
+        pattern, code = _IN_PYTHON, without_comments(text, "python")
     elif text.lstrip("\ufeff \t\r\n").startswith("<"):
-        kinds = ((_IN_XML, _COMMENT.sub(lambda match: "\n" * match[0].count("\n"), text)),)
+        pattern, code = _IN_XML, _COMMENT.sub(lambda match: "\n" * match[0].count("\n"), text)
     else:
-        kinds = ((_IN_YAML, text),)
-    for pattern, code in kinds:
-        for match in pattern.finditer(code):
-            prefix = unescape(next(group for group in match.groups() if group is not None)).strip()
-            if _is_odd(prefix):
-                yield code.count("\n", 0, match.start(match.lastindex or 0)) + 1, prefix
+        pattern, code = _IN_YAML, text
+    for match in pattern.finditer(code):
+        prefix = unescape(next(group for group in match.groups() if group is not None)).strip()
+        if _is_odd(prefix):
+            line = code.count("\n", 0, match.start(match.lastindex or 0)) + 1
+            yield (
+                line,
+                f"the prefix '{_quoted(prefix)}' may start something else than the node, which the model has all the same",
+            )
+    plain = unescape(code)
+    if _SHELL_TEXT.search(plain) is not None:
+        for match in _STANDS.finditer(plain):
+            line = plain.count("\n", 0, match.start()) + 1
+            yield (
+                line,
+                f"'{_quoted(match[0])}' of a shell stands for what starts programs: the model does not have them",
+            )
+
+
+def _quoted(text: str) -> str:
+    plain = " ".join(text.split())
+    return plain if len(plain) <= _QUOTED else f"{plain[:_QUOTED]}…"
 
 
 def _is_odd(prefix: str) -> bool:

@@ -37,6 +37,8 @@ FIRES = {
     "from arm.deep.bottom import top\n": ("arm.deep.bottom", "top"),
     "from arm.deep import top\n": ("arm.deep", "top"),
     "def f():\n    from arm.tools import height\n    return height\n": ("arm.tools", "height"),
+    "import arm.tools\n\n\ndef f():\n    return arm.tools.height()\n": ("arm.tools", "height"),
+    "import importlib\nimportlib.import_module('arm.nothing')\n": ("arm", "nothing"),
     "if True:\n    from arm.tools import height\n": ("arm.tools", "height"),
     "try:\n    from arm.tools import height\nexcept ValueError:\n    pass\n": ("arm.tools", "height"),
 }
@@ -52,6 +54,8 @@ QUIET = [
     "from arm.tools import _hidden\n",
     "from arm.tools import *\n",
     "import arm.deep.bottom\n\nprint(arm.deep.bottom.depth)\n",
+    "import arm.tools\n\n\ndef f(arm):\n    return arm.tools.height()\n",
+    "import importlib\nimportlib.import_module('arm.tools')\nimportlib.import_module('..nothing', 'arm')\n",
     "try:\n    from arm.tools import height\nexcept ImportError:\n    height = None\n",
     "try:\n    from arm.tools import height\nexcept:\n    height = None\n",
     "from typing import TYPE_CHECKING\nif TYPE_CHECKING:\n    from arm.tools import Height\n",

@@ -65,6 +65,15 @@ def test_stays_quiet(prefix: str) -> None:
         ('<robot><xacro:arm prefix="left"/></robot>', "xml", 0),
         ('<launch><arg name="prefix" default="left"/></launch>', "launch", 0),
         ("prefix: left\n", "yaml", 0),
+        ("<launch><executable cmd=\"bash -c 'R=ros2; $R run a b'\"/></launch>", "launch", 1),
+        ("<launch><executable cmd=\"bash -c 'f() { ros2 run a b; }; f'\"/></launch>", "launch", 1),
+        ("<launch><executable cmd=\"sh -lc 'alias r=&quot;rosrun a&quot;; r b'\"/></launch>", "launch", 1),
+        ("<launch><executable cmd=\"bash -c 'sleep 1; ros2 run a b'\"/></launch>", "launch", 0),
+        ("<launch><executable cmd=\"bash -c 'A=b ros2 run a b'\"/></launch>", "launch", 0),
+        ("<launch><executable cmd='ros2 run a b --ros-args -p x:=ros2'/></launch>", "launch", 0),
+        ("import launch_ros\nExecuteProcess(cmd=['bash', '-c', 'R=\"ros2 run\"; $R a b'])\n", "python", 1),
+        ("import launch_ros\n# bash -c 'R=ros2'\nx = 1\n", "python", 0),
+        ("launch:\n- executable:\n    cmd: bash -c 'R=rosrun; $R a b'\n", "launch", 1),
     ],
 )
 def test_kinds(text: str, language: str, count: int) -> None:
