@@ -22,6 +22,9 @@ FIRES = {
     "int f(int * p)\n{\n  return ({ int y = *p; y; });\n}\n": "a block of statements that is a value",
     "#ifdef __OPTIMIZE__\nint f() {return 1;}\n#endif\n": "a condition on what flags of a compiler define, and code under it,",
     "#if !defined(__NO_INLINE__)\nint f() {return 1;}\n#endif\n": "a condition on what flags of a compiler define, and code under it,",
+    "#ifdef __FLT_RADIX__\nint f() {return 1;}\n#endif\n": "a condition on a name of the compiler's own, and code under it,",
+    "#if defined(__INT32_TYPE__) && __ATOMIC_RELAXED == 0\nint f() {return 1;}\n#endif\n": "a condition on a name of the compiler's own, and code under it,",
+    "#ifdef __GNUC_STDC_INLINE__\n#else\nint f() {return 1;}\n#endif\n": "a condition on a name of the compiler's own, and code under it,",
     "#if 0\n// \r\\\n#endif\nint f();\n": "a line that ends in a carriage return alone",
 }
 QUIET = [
@@ -38,6 +41,10 @@ QUIET = [
     "Task f()\n{\n  co_return 1;\n}\nTask g()\n{\n  co_await h();\n  co_return;\n}\n",
     "TEST(A, b)\n{\n  EXPECT_THROW({ call(); }, std::exception);\n  f({{1, 2}, {3, 4}});\n}\n",
     "#ifdef __OPTIMIZE__\n#define FAST\n#endif\n",
+    "#ifdef __INT64_MAX__\nint f() {return 1;}\n#endif\n",
+    "#ifdef __ARM_NEON\nint f() {return 1;}\n#endif\n#ifdef __AVX2__\nint g() {return 1;}\n#endif\n",
+    "#ifdef __FLT_RADIX__\n#define RADIX __FLT_RADIX__\n#endif\n",
+    "double e = __DBL_EPSILON__;\n",
     "#ifdef _OPENMP\nint f() {return 1;}\n#endif\n",
     "int f();\r\nint g();\r\n",
     "struct A\n{\n  enum B {C, D};\n  int x{3};\n};\nint f(A a) {return a.x;}\n",
