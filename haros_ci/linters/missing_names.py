@@ -28,6 +28,7 @@ MAX_TEXT = 300_000
 #: What the build makes in a package of Python.
 _MADE = frozenset(("msg", "srv", "action", "cfg", "parameters"))
 _MISSING = re.compile(r"\b(?:ImportError|ModuleNotFoundError|AttributeError|Exception|BaseException)\b")
+_WORD = re.compile(r"(?<![\w.])\w+")
 _PATHS = re.compile(r"\bsys\.(?:path|modules|meta_path)\b|\b__path__\b|\bimportlib\b|\baddsitedir\b")
 
 
@@ -58,12 +59,11 @@ def notifications(head: Workspace, base: Workspace | None) -> tuple[Notification
             continue
         if file.path not in edited and not (stems and word.search(head.text(file.path))):
             continue
-        for one in after.missing(file):
-            if known is None:
-                known = {(it.module, it.name) for path in edited & old.keys() for it in before.of(path)}
-            was = {(it.module, it.name) for it in before.of(file.path)}
-            if (one.module, one.name) not in known | was:
-                new.append((file.path, one))
+        found = tuple(after.missing(file))
+        if found and known is None:
+            known = {(it.module, it.name) for path in edited & old.keys() for it in before.of(path)}
+        was = {(it.module, it.name) for it in before.of(file.path)} | (known or set()) if found else set()
+        new += ((file.path, one) for one in found if (one.module, one.name) not in was)
     notes = (Notification(Level.NOTE, _message(one), path=path, line=one.line) for path, one in new[:MOST])
     rest = f"since this change {len(new) - MOST} more names are taken from modules that do not have them"
     return (*notes, *([Notification(Level.NOTE, rest)] if len(new) > MOST else []))
@@ -81,8 +81,12 @@ class _Modules:
 
     def of(self, path: str) -> tuple[Missing, ...]:
         """What the file at *path* lacks."""
-        file = next((file for file in self.workspace.files if file.path == path), None)
+        file = self._by_path.get(path)
         return () if file is None else tuple(self.missing(file))
+
+    @cached_property
+    def _by_path(self) -> dict[str, SourceFile]:
+        return {file.path: file for file in self.workspace.files if file.language == "python"}
 
     def missing(self, file: SourceFile) -> Iterator[Missing]:
         """The names that the file takes from modules, or from packages, that do not have them: each once."""
@@ -109,7 +113,7 @@ class _Modules:
                 return False
             if path.endswith("/__init__.py") and self._has_extensions(place):
                 return False
-        return re.search(rf"(?<![\w.]){re.escape(name)}\b", self._builds) is None
+        return name not in self._built
 
     def _places(self, file: SourceFile, module: str, is_searching: bool) -> list[str]:
         """The modules or packages that *module* may be in that file, without ``.py``; none where that may be another one."""
@@ -185,8 +189,9 @@ class _Modules:
         return [(path.rpartition("/")[0], self.workspace.text(path)) for path in files]
 
     @cached_property
-    def _builds(self) -> str:
-        return "\n".join(text for _, text in self._build_files)
+    def _built(self) -> frozenset[str]:
+        """All words of build files, which may make a module of that name."""
+        return frozenset(word for _, text in self._build_files for word in _WORD.findall(text))
 
     @cached_property
     def _absent(self) -> frozenset[str]:
