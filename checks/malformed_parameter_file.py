@@ -6,14 +6,14 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from haros_ci.api import Check, Finding, Level, Location, System
+from haros_ci.api import Check, Finding, Level, Location, System, regex
 from haros_ci.api.launch import FileUse, yaml_fault
 from haros_ci.api.packages import conflicts
 
 _SECTION = "ros__parameters"
 #: A key that is meant to be the one below which a node's parameters stand.
-_MEANT = re.compile(r"^([ \t]*)[\"']?((?i:ros[_-]{0,3}param(?:eter)?s?))[\"']?[ \t]*:(?=[ \t]*(?:\{|#|\r?$))", re.M)
-_KEY = re.compile(r"^([ \t]*)[\"']?([^\s#\"':][^\n\"':]*)[\"']?[ \t]*:", re.M)
+_MEANT = regex(r"^([ \t]*)[\"']?((?i:ros[_-]{0,3}param(?:eter)?s?))[\"']?[ \t]*:(?=[ \t]*(?:\{|#|\r?$))", re.M)
+_KEY = regex(r"^([ \t]*)[\"']?([^\s#\"':][^\n\"':]*)[\"']?[ \t]*:", re.M)
 
 
 def check(system: System) -> Iterator[Finding]:

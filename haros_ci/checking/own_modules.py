@@ -7,7 +7,6 @@ import ast
 import re
 import sys
 from collections.abc import Iterator
-from dataclasses import dataclass, field
 from difflib import get_close_matches
 
 from haros_ci.checking.appearing import may_appear
@@ -16,10 +15,12 @@ from haros_ci.checking.project import ProjectPackage
 from haros_ci.checking.provision import Sources
 from haros_ci.model.build import EntryPoint
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass, field
+from haros_ci.regex import regex
 from haros_ci.results.module_names import EXTENSIONS, names_of
 
 #: What lets Python find modules elsewhere, or makes them while it runs.
-_SEARCHING = re.compile(
+_SEARCHING = regex(
     r"\bsys\.(?:path|modules|meta_path)\b|\b__path__\b|\bimportlib\b|\baddsitedir\b|\bextend_path\b|\bos\.chdir\b"
 )
 #: What the build makes in a package of Python: interfaces, reconfigurations and extensions.

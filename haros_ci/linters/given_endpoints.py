@@ -4,12 +4,12 @@
 from __future__ import annotations
 
 import ast
-import re
 from collections.abc import Iterator
 
 from haros_ci.linters.in_default import is_test
 from haros_ci.linters.pylint_idioms import nodes
 from haros_ci.model.workspace import Workspace
+from haros_ci.regex import regex
 from haros_ci.results.code_alone import code_alone
 from haros_ci.results.result import Notification
 from haros_ci.results.rule import Level
@@ -35,14 +35,14 @@ _OF_MODULES = frozenset(
 _ASKS = frozenset(
     "partial partialmethod hasattr getattr isinstance issubclass callable type id repr str signature getsource wraps object Mock MagicMock patch spy".split()
 )
-_MAY = re.compile(
+_MAY = regex(
     r"\bcreate_(?:publisher|subscription|service|client|timer|lifecycle_publisher)\b|\brospy\b|\bActionServer\b|\bActionClient\b|\bSimpleAction|\bmessage_filters\b"
 )
 #: In C++ the address of such a method of a node, or of a handle.
-_ADDRESS = re.compile(
+_ADDRESS = regex(
     r"&\s*(?:::)?(?:\w+::){1,4}(create_(?:publisher|subscription|service|client|wall_timer|timer)|advertise(?:Service)?|subscribe|serviceClient|createTimer|createWallTimer)\b(?!\s*\()"
 )
-_HANDLES = re.compile(r"&\s*(?:::)?(?:rclcpp|rclcpp_lifecycle|ros)::")
+_HANDLES = regex(r"&\s*(?:::)?(?:rclcpp|rclcpp_lifecycle|ros)::")
 
 
 def notifications(head: Workspace, base: Workspace | None) -> tuple[Notification, ...]:

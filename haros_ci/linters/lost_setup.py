@@ -4,18 +4,18 @@
 from __future__ import annotations
 
 import ast
-import re
 from collections.abc import Iterator
 
 from haros_ci.linters.constant_tests import constants_of, leaves, truth
 from haros_ci.linters.pylint_idioms import nodes
 from haros_ci.model.workspace import Workspace
+from haros_ci.regex import regex
 from haros_ci.results.result import Notification
 from haros_ci.results.rule import Level
 
 _MODULES = ("setuptools", "distutils", "core")
 #: What ends the program.
-_EXITS = re.compile(r"(?:sys\.|os\._)?exit|quit")
+_EXITS = regex(r"(?:sys\.|os\._)?exit|quit")
 
 
 def notifications(head: Workspace, base: Workspace | None) -> tuple[Notification, ...]:

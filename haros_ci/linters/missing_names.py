@@ -18,6 +18,7 @@ from haros_ci.linters.pylint_idioms import nodes
 from haros_ci.model.package import SourceFile
 from haros_ci.model.submodules import absent, is_below
 from haros_ci.model.workspace import Workspace
+from haros_ci.regex import regex
 from haros_ci.results.module_names import EXTENSIONS, names_of
 from haros_ci.results.result import Notification
 from haros_ci.results.rule import Level
@@ -27,9 +28,9 @@ MOST = 20
 MAX_TEXT = 300_000
 #: What the build makes in a package of Python.
 _MADE = frozenset(("msg", "srv", "action", "cfg", "parameters"))
-_MISSING = re.compile(r"\b(?:ImportError|ModuleNotFoundError|AttributeError|Exception|BaseException)\b")
-_WORD = re.compile(r"(?<![\w.])\w+")
-_PATHS = re.compile(r"\bsys\.(?:path|modules|meta_path)\b|\b__path__\b|\bimportlib\b|\baddsitedir\b")
+_MISSING = regex(r"\b(?:ImportError|ModuleNotFoundError|AttributeError|Exception|BaseException)\b")
+_WORD = regex(r"(?<![\w.])\w+")
+_PATHS = regex(r"\bsys\.(?:path|modules|meta_path)\b|\b__path__\b|\bimportlib\b|\baddsitedir\b")
 
 
 class Missing(NamedTuple):

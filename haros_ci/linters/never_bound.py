@@ -7,26 +7,25 @@ import ast
 import builtins
 import re
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, field
 from typing import NamedTuple
 
 from haros_ci.linters.constant_tests import constants_of, is_empty, leaves, truth
 from haros_ci.linters.pylint_idioms import nodes
+from haros_ci.records import dataclass, field
+from haros_ci.regex import regex
 
 #: What may bind any name of a module: then nothing is said of its names.
-_MAKES = re.compile(
-    r"\b(?:globals|vars|locals)\(\)[ \t]*[\[.]|(?<![\w.])exec(?:file)?[ \t]*\(|\bimport[ \t]*\(?[ \t]*\*"
-)
+_MAKES = regex(r"\b(?:globals|vars|locals)\(\)[ \t]*[\[.]|(?<![\w.])exec(?:file)?[ \t]*\(|\bimport[ \t]*\(?[ \t]*\*")
 #: Longer files are not looked at.
 MAX_TEXT = 300_000
-_LATE = re.compile(r"^from __future__ import [^\n]*\bannotations\b", re.M)
+_LATE = regex(r"^from __future__ import [^\n]*\bannotations\b", re.M)
 _FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda)
 _COMPREHENSIONS = (ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp)
 _LOOPS = (ast.For, ast.AsyncFor)
 _OF_MODULES = frozenset({*dir(builtins), "__file__", "__path__", "__builtins__", "__annotations__"})
 #: What catches the error of such a name; and functions that a framework calls by their names.
-_NAME_ERROR = re.compile(r"\b(?:NameError|UnboundLocalError|Exception|BaseException)\b")
-_CALLED_BY_NAME = re.compile(r"__|main$|test|setup|teardown|setUp|tearDown|pytest|generate_|on_")
+_NAME_ERROR = regex(r"\b(?:NameError|UnboundLocalError|Exception|BaseException)\b")
+_CALLED_BY_NAME = regex(r"__|main$|test|setup|teardown|setUp|tearDown|pytest|generate_|on_")
 #: Why a name has no value, in words.
 _DEAD, _DELETED = "it is bound only where nothing runs", "it is deleted before"
 _UNCALLED = "it is bound only in a function that nothing calls"

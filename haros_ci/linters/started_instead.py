@@ -9,6 +9,7 @@ from html import unescape
 
 from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Workspace
+from haros_ci.regex import regex
 from haros_ci.results.code_alone import without_comments
 from haros_ci.results.result import Notification
 from haros_ci.results.rule import Level
@@ -17,31 +18,31 @@ from haros_ci.results.rule import Level
 MOST = 10
 _QUOTED = 80
 #: Programs that start the one that follows them: debuggers, terminals, priorities, measurements, other users and displays.
-_STARTERS = re.compile(
+_STARTERS = regex(
     r"(?:gdb|cgdb|ddd|lldb|rr|valgrind|heaptrack|strace|ltrace|perf|operf|uftrace|time|catchsegv|xterm|uxterm|lxterminal|gnome-terminal|xfce4-terminal|mate-terminal|konsole"
     r"|terminator|tilix|kitty|alacritty|urxvt|rxvt|x-terminal-emulator|screen|tmux|nice|ionice|renice|taskset|chrt|numactl|schedtool|sudo|doas|gosu|su|setpriv|env|stdbuf|unbuffer"
     r"|nohup|setsid|timeout|python[\d.]*|ipython[\d]?|pypy[\d]?|kernprof|optirun|primusrun|prime-run|vglrun|nvprof|nsys|ncu|cuda-gdb|compute-sanitizer|xvfb-run|ssh|docker|rosrun|ros2"
     r"|wine|mpirun|mpiexec|cpulimit|firejail|coverage|kcov|scalene|py-spy|viztracer|mprof|ddr|rosbag|ros_prefix|systemd-run|proxychains\d?|qemu-[\w-]+)"
 )
-_SHELL = re.compile(r"(?:ba|da|z|k)?sh")
+_SHELL = regex(r"(?:ba|da|z|k)?sh")
 #: What a shell starts of what it is given.
-_GIVEN = re.compile(r"\$(?:\{?[0@*]|\(|\{)")
-_SETS = re.compile(r"\w+=\S*")
-_COMMENT = re.compile(r"<!--(?:[^-]|-(?!->))*(?:-->|\Z)")
-_IN_XML = re.compile(
+_GIVEN = regex(r"\$(?:\{?[0@*]|\(|\{)")
+_SETS = regex(r"\w+=\S*")
+_COMMENT = regex(r"<!--(?:[^-]|-(?!->))*(?:-->|\Z)")
+_IN_XML = regex(
     r"<\s*(?:node|executable|node_container|lifecycle_node|test)\s[^<>]*?(?<![\w-])(?:launch-)?prefix\s*=\s*(?:\"([^\"<>]*)\"|'([^'<>]*)')"
 )
-_IN_YAML = re.compile(
+_IN_YAML = regex(
     r"^[ \t-]*[\"']?launch-prefix[\"']?[ \t]*:[ \t]*(?:\"([^\"\n]*)\"|'([^'\n]*)'|([^\"'#\s][^#\n]*))", re.M
 )
-_IN_PYTHON = re.compile(r"(?<![\w.])prefix\s*=\s*(?:\[\s*)?(?:\"([^\"\n]*)\"|'([^'\n]*)')")
+_IN_PYTHON = regex(r"(?<![\w.])prefix\s*=\s*(?:\[\s*)?(?:\"([^\"\n]*)\"|'([^'\n]*)')")
 #: A shell's variable, function or alias that stands for what starts programs.
-_STANDS = re.compile(
+_STANDS = regex(
     r"(?<![\w$-])(?:\w+=\\?[\"']?(?:[\w./]*/)?(?:ros2|rosrun|roslaunch)\b|(?:\w+[ \t]*\([ \t]*\)|function[ \t]+\w+)[ \t]*\{[^{}\n]{0,200}\b(?:ros2|rosrun|roslaunch)\b"
     r"|alias[ \t]+\w+=[^\n]{0,20}?\b(?:ros2|rosrun|roslaunch)\b)"
 )
-_SHELL_TEXT = re.compile(r"\b(?:ba|da|z|k)?sh\b[^\n]{0,40}-\w?c\b")
-_OF_LAUNCH = re.compile(r"\blaunch(?:_ros)?\.actions\b|\blaunch_ros\b")
+_SHELL_TEXT = regex(r"\b(?:ba|da|z|k)?sh\b[^\n]{0,40}-\w?c\b")
+_OF_LAUNCH = regex(r"\blaunch(?:_ros)?\.actions\b|\blaunch_ros\b")
 
 
 def notifications(head: Workspace, base: Workspace | None) -> tuple[Notification, ...]:

@@ -3,19 +3,19 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable
 from functools import cached_property
 
 from haros_ci.linters.never_bound import NeverBound, never_bound
 from haros_ci.model.workspace import Workspace
+from haros_ci.regex import regex
 from haros_ci.results.result import Notification
 from haros_ci.results.rule import Level
 
 #: Names that are mentioned; the rest is counted.
 MOST = 20
 #: What can name a function of a module: Python, and what has entry points.
-_WORD = re.compile(r"\w+")
+_WORD = regex(r"\w+")
 _CALLING = frozenset(("python", "setup", "cmake", "yaml", "xml", "toml", "launch"))
 
 

@@ -10,24 +10,26 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+from haros_ci.regex import regex
+
 #: What opens and closes, with what tells what a block is; and the beginning of a lambda.
-_TOKEN = re.compile(
+_TOKEN = regex(
     r"\"(?:[^\"\\\n]|\\.)*\"|'(?:[^'\\\n]|\\.){1,12}'"
     r"|(?P<lambda>(?<=[=(,{])\s*\[(?!\[)[^\[\]{};]{0,200}\])"
     r"|(?P<kind>\b(?:namespace|class|struct|union|enum|extern)\b)"
     r"|[{}();=]"
 )
 #: Without one of these nothing of this is in a text.
-UNREAD = re.compile(r"[=(,{]\s*\[|\bco_(?:return|yield)\b|\(\s*\{")
-_COROUTINE = re.compile(r"\bco_(?:return|yield)\b\s*(?:\*|[^;{}\n]{0,200}(?:->|\[|/|%))")
-_STATEMENTS = re.compile(r"(?:[-=<>+*/%?:&|!]|\breturn)\s*\(\s*\{[^{}]{0,400};\s*\}\s*\)")
+UNREAD = regex(r"[=(,{]\s*\[|\bco_(?:return|yield)\b|\(\s*\{")
+_COROUTINE = regex(r"\bco_(?:return|yield)\b\s*(?:\*|[^;{}\n]{0,200}(?:->|\[|/|%))")
+_STATEMENTS = regex(r"(?:[-=<>+*/%?:&|!]|\breturn)\s*\(\s*\{[^{}]{0,400};\s*\}\s*\)")
 #: What can be wrong in a lambda that cppcheck would see: something is reached through a pointer or an index, divided, or made.
-_MAY_BE_WRONG = re.compile(r"(?:^|[\s(=,{;!])\*\s*\w|(?<!\bthis)->|\w\s*\[|[/%]|\bnew\b|\bdelete\b|\bmalloc\b|\bfree\b")
-_DIRECTIVE = re.compile(r"^[ \t]*(?:#|%:)[^\n]*", re.M)
+_MAY_BE_WRONG = regex(r"(?:^|[\s(=,{;!])\*\s*\w|(?<!\bthis)->|\w\s*\[|[/%]|\bnew\b|\bdelete\b|\bmalloc\b|\bfree\b")
+_DIRECTIVE = regex(r"^[ \t]*(?:#|%:)[^\n]*", re.M)
 #: A name, and words behind which a function's body stands.
-_BEFORE = re.compile(r"(?<!\w)(\w+)(?:<[^<>{};]{0,60}>)?\s*\Z")
+_BEFORE = regex(r"(?<!\w)(\w+)(?:<[^<>{};]{0,60}>)?\s*\Z")
 _BEFORE_BODY = frozenset("const noexcept override final try else do mutable volatile".split())
-_BRACE = re.compile(r"[{}]")
+_BRACE = regex(r"[{}]")
 #: Characters of a body, and of what stands before it, that are looked at.
 _LONGEST, _LONGEST_HEAD = 20_000, 400
 

@@ -6,14 +6,15 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 
+from haros_ci.regex import regex
 from haros_ci.workspace.build_steps import BuildStep
 from haros_ci.workspace.cmake_parse import ParsedCommand, parse_cmake
 
-_TRUE = re.compile(r"(?:TRUE|ON|YES|Y|1|NOT (?:FALSE|OFF|NO|N|0))", re.I)
+_TRUE = regex(r"(?:TRUE|ON|YES|Y|1|NOT (?:FALSE|OFF|NO|N|0))", re.I)
 #: Conditions that stand in one another deeper than this are not looked into.
 _DEEPEST = 20
 #: What makes or installs something; without one of these nothing is lost.
-_MAKES = re.compile(
+_MAKES = regex(
     r"install|catkin_install_python|ament_package|ament_auto_package|catkin_package|add_(?:executable|library)|\w+_(?:register|generate|install|export)\w*|\w+_add_(?:library|executable)"
 )
 

@@ -6,13 +6,13 @@ from __future__ import annotations
 import posixpath
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass, field
 
 from haros_ci.launch.facts.files import Finder
 from haros_ci.model.build import Build
 from haros_ci.model.environment import key_of
 from haros_ci.model.location import Location
 from haros_ci.model.workspace import Workspace
+from haros_ci.records import dataclass, field
 from haros_ci.robot.commands import xacro_command
 from haros_ci.robot.expand import expand
 from haros_ci.robot.nodes import XmlNode
