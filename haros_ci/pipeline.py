@@ -21,17 +21,15 @@ from haros_ci.config.selector import check_selectors, slip_finder
 from haros_ci.config.settings import PROFILES, Settings
 from haros_ci.hosting import hosted
 from haros_ci.linters import catalogue
+from haros_ci.linters.brought_otherwise import notifications as brought_otherwise
 from haros_ci.linters.duplicates import drop_unfounded, merge_same_defects
-from haros_ci.linters.endpoint_macros import notifications as endpoint_macros
 from haros_ci.linters.metrics import keep_worst_band
 from haros_ci.linters.one_cause import one_cause
 from haros_ci.linters.one_file import one_file
 from haros_ci.linters.recorded import Testimony
 from haros_ci.linters.run import lint
 from haros_ci.linters.said_by_ours import said_once
-from haros_ci.linters.seen_otherwise import notifications as seen_otherwise
 from haros_ci.linters.settings_changes import notifications as changed_settings
-from haros_ci.linters.used_aside import notifications as used_aside
 from haros_ci.linting import (
     confinement,
     contradictions,
@@ -92,7 +90,7 @@ def analyse(
         past = base if isinstance(base, Base) else None
         changed = changed_settings(workspace, past.workspace if past and past.settings else None)
         then = past.workspace if past else None
-        changed += (*seen_otherwise(workspace, then), *used_aside(workspace, then), *endpoint_macros(workspace, then))
+        changed += brought_otherwise(workspace, then)
         workspace = settled(workspace, settings, base)
         head, old = (None, None) if recorded is None else recorded(workspace, past)
         left = left_out(workspace, settings, base)

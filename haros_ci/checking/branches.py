@@ -4,10 +4,10 @@
 from __future__ import annotations
 
 import ast
-import warnings
 from collections.abc import Callable, Iterator
 
 from haros_ci.model.location import Location
+from haros_ci.results.module_names import parsed as parsed
 
 #: So many variables that are made of one another are followed.
 MAX_STEPS = 10
@@ -17,16 +17,6 @@ Asks = Callable[[ast.AST], bool]
 Span = tuple[int, int]
 _ENDS = (ast.Return, ast.Raise, ast.Continue, ast.Break)
 _TESTED = (ast.If, ast.IfExp, ast.While)
-
-
-def parsed(text: str) -> ast.Module | None:
-    """The syntax of *text*; None if it has none for this Python. What Python warns of in it is not printed."""
-    try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")
-            return ast.parse(text)
-    except (SyntaxError, ValueError, RecursionError, MemoryError):
-        return None
 
 
 def is_in(spans: tuple[Span, ...], location: Location) -> bool:

@@ -11,13 +11,13 @@ from difflib import get_close_matches
 
 from haros_ci.checking.appearing import may_appear
 from haros_ci.checking.branches import parsed
-from haros_ci.checking.own_names import names_of
 from haros_ci.checking.project import ProjectPackage
 from haros_ci.checking.provision import Sources
 from haros_ci.model.build import EntryPoint
 from haros_ci.model.location import Location
 from haros_ci.records import dataclass, field
 from haros_ci.regex import regex
+from haros_ci.results.module_names import EXTENSIONS, names_of
 
 #: What lets Python find modules elsewhere, or makes them while it runs.
 _SEARCHING = regex(
@@ -43,11 +43,6 @@ _DATA = (
     ".ipynb",
     ".bak",
     ".orig",
-)
-#: How CMake or setup.py says that a build makes modules of C or C++, under names that may stand in no file of the package's own.
-_EXTENSIONS = regex(
-    r"pybind11|nanobind|swig|cython|cffi|python\d?_add_\w+|python\d?libs|boost\W{1,40}(?:\w+\W{1,9}){0,20}python|python\d?\W[^()]{0,200}\bdevelopment\b|ext_modules|\bextension\b",
-    re.IGNORECASE,
 )
 #: Longer files are not looked at, nor more files of one program.
 MAX_TEXT = 300_000
@@ -206,7 +201,7 @@ class OwnModules:
         """Whether the package compiles modules for Python: the text of its *build* says so, or a command of CMake in any of its directories."""
         lines = (f"{command.name}({' '.join(command.arguments)[:1000]})" for command in self.package.build.commands)
         made = self.sources.once(
-            ("extensions", self.package.name), lambda: any(map(_EXTENSIONS.search, (build, *lines)))
+            ("extensions", self.package.name), lambda: any(map(EXTENSIONS.search, (build, *lines)))
         )
         return bool(made)
 

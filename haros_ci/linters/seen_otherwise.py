@@ -17,6 +17,7 @@ from haros_ci.linters.macro_scan import is_decoration
 from haros_ci.linters.macros_elsewhere import MacrosElsewhere, brought
 from haros_ci.linters.meanings import SPELLED
 from haros_ci.linters.spelled_conditions import odd_conditions, odd_lines
+from haros_ci.linters.unread_code import UNREAD, unread_code
 from haros_ci.linters.version_conditions import version_conditions
 from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Workspace
@@ -177,6 +178,8 @@ class _Sight:
 def seen_otherwise(text: str) -> Iterator[str]:
     """What *text* has of this, quoted, in its order by kind; takes linear time."""
     yield from _spellings(text)
+    if UNREAD.search(text) is not None:
+        yield from unread_code(without_comments(_code(text), "c"))
     if (
         "#" not in text
         and not any(word in text for word in _WORDS_OF_NAMES)

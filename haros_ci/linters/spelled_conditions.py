@@ -11,6 +11,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+from haros_ci.linters.ros_macros import PLATFORM
 from haros_ci.linters.version_conditions import chains, has_code
 from haros_ci.regex import regex
 
@@ -39,12 +40,25 @@ _MORE_THAN_TRUTH = regex(r"[-=<>+*/%^~?,]|(?<!&)&(?!&)|(?<!\|)\|(?!\|)")
 
 #: In what a macro stands for such a word takes the next line with it; and what is a raw text only where lines are not joined.
 _SAID = regex(r"(?:#|%:)[ \t]*(?:warning|error)\b[^\n]*\\[ \t]*\r?\n")
+_RETURN = regex(r"\r(?!\r*\n)")
 _RAW = regex(r"[\w.'](?:\\[ \t]*\r?\n)+(?:u8|[uUL])?R\"")
 _SIGNS = regex(r"[-+!~][ \t]*[-+!~](?!=)")
 _UNSIGNED = regex(r"\b\d[\da-fA-FxX']{0,40}[lL]{0,2}[uU][lLzZ]{0,2}\b")
 _ARITHMETIC = regex(r"[-+*~]")
 _CALL = regex(r"\b\w+[ \t]*\([^()]*\)")
 _DEEPEST = 8
+#: Names that GCC has, or defines otherwise, by a flag alone: of optimization, of warnings about what is written at run time, of sanitizers.
+_BY_FLAGS = regex(
+    r"\b(?:__OPTIMIZE(?:_SIZE)?__|__NO_INLINE__|__NO_MATH_ERRNO__|__FAST_MATH__|__FINITE_MATH_ONLY__|__SSP(?:_\w+)?__|__PI[CE]__|__pi[ce]__|__GXX_RTTI|__EXCEPTIONS"
+    r"|_FORTIFY_SOURCE|__SANITIZE_\w+__|__STRICT_ANSI__|__CHAR_UNSIGNED__|_GLIBCXX_ASSERTIONS|_GLIBCXX_DEBUG)\b"
+)
+#: Names that GCC always has, and that cppcheck is not given; those that it is given are none of these.
+_OF_GCC = regex(
+    rf"\b(?!(?:{'|'.join(sorted(map(re.escape, PLATFORM)))})\b)"
+    r"(?:__(?:(?:DBL|LDBL|BFLT|FLT\d{0,3}X?|DEC\d{0,3})_\w+|ATOMIC_\w+|GCC_\w+|GNUC_(?:STDC|GNU)_INLINE__|GNUC_(?:WIDE_)?EXECUTION\w+|GLIBCXX_\w+"
+    r"|U?INT(?:_\w+|\d{1,2}|MAX|PTR)?_(?:C|TYPE|WIDTH|MAX|MIN)_{0,2}|(?:SIZE|PTRDIFF|WCHAR|WINT|CHAR\d{1,2}|SIG_ATOMIC)_(?:TYPE|MIN|MAX|WIDTH)__|HAVE_SPECULATION\w+|PRAGMA_\w+"
+    r"|REGISTER_PREFIX__|USER_LABEL_PREFIX__|SEG_[FG]S|code_model_\w+|tune_\w+|FLOAT_WORD_ORDER__|FP_FAST_\w+|BIGGEST_ALIGNMENT__|VERSION__|BASE_FILE__|FILE_NAME__)|_REENTRANT|_STDC_PREDEF_H)\b"
+)
 _HAS = regex(r"\b__has_(?!include(?:_next)?[ \t]*\([ \t]*\")\w+")
 
 
@@ -77,12 +91,18 @@ def odd_conditions(code: str) -> Iterator[str]:
             yield "a condition that calculates with numbers without a sign"
         if "," in condition and "," in _without_calls(condition):
             yield "a condition with a comma"
+    if _BY_FLAGS.search(code) is not None and any(has_code(code, chain) for chain in chains(code, _BY_FLAGS)):
+        yield "a condition on what flags of a compiler define, and code under it,"
+    if _OF_GCC.search(code) is not None and any(has_code(code, chain) for chain in chains(code, _OF_GCC)):
+        yield "a condition on a name of the compiler's own, and code under it,"
     if "__has_" in code and any(has_code(code, chain) for chain in chains(code, _HAS)):
         yield "a condition on what a compiler has, and code under it,"
 
 
 def odd_lines(text: str) -> Iterator[str]:
     """Lines of *text* that go on in the next one in a place where cppcheck does not see that, in words; takes linear time."""
+    if "\r" in text and _RETURN.search(text) is not None:
+        yield "a line that ends in a carriage return alone"
     if "\\" not in text:
         return
     if ("warning" in text or "error" in text) and any(_SAID.search(match[0]) for match in _DEFINITION.finditer(text)):

@@ -5,11 +5,13 @@ from __future__ import annotations
 
 from haros_ci.model.workspace import Problem, Workspace
 from haros_ci.workspace.build_steps import BuildStep, steps_not_followed
+from haros_ci.workspace.cmake_ends import early_end
 from haros_ci.workspace.cmake_templates import as_cmake, cmake_templates
 from haros_ci.workspace.cut import cut
 
 #: Build types of packages whose build files are read; "" is catkin, or one that the manifest does not tell.
 _READ = frozenset(("", "ament_cmake", "ament_cmake_auto", "ament_cmake_python", "ament_python", "catkin", "cmake"))
+_LISTS = "CMakeLists.txt"
 #: Findings for one file, and notes of one run.
 MOST = 20
 
@@ -29,6 +31,9 @@ def brought_steps(head: Workspace, base: Workspace) -> tuple[tuple[Problem, ...]
         steps = [step for step in steps_not_followed(text, names.__contains__) if step.words not in before]
         found += cut((_problem(path, step) for step in steps if not step.is_usual), MOST)
         notes += (_problem(path, step) for step in steps if step.is_usual)
+        if path.endswith(_LISTS) and (end := early_end(text)) is not None:
+            was = early_end(base.text(path)) if path in base.names else None
+            notes += [_problem(path, end)] if was is None else []
     return tuple(found), cut(notes, MOST)
 
 

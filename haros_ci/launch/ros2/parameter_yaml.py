@@ -100,7 +100,18 @@ class _Trees:
         if MARK in node.value:
             first = self.text.raw.count(MARK, 0, node.start_mark.index)
             reasons = self.text.reasons[first : first + node.value.count(MARK)] or ("part of it is not known",)
-        return Scalar(node.value, line, node.style in (None, ""), node.tag.removeprefix(TAG), reasons)
+        is_plain = node.style in (None, "") and not _is_called_text(node.value, node.tag)
+        return Scalar(node.value, line, is_plain, node.tag.removeprefix(TAG), reasons)
+
+
+def _is_called_text(text: str, tag: str) -> bool:
+    """Whether ``!!str`` stands before what would be a number or a truth without it: a text for rcl, too (``get_value``)."""
+    import yaml
+
+    if tag != f"{TAG}str" or not text or len(text) > MAX_NUMBER:
+        return False
+    resolver: Any = yaml.resolver.Resolver()  # its methods have no types
+    return bool(resolver.resolve(yaml.ScalarNode, text, (True, False)) != tag)
 
 
 @lru_cache(maxsize=REMEMBERED)

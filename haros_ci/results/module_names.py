@@ -4,17 +4,33 @@
 from __future__ import annotations
 
 import ast
+import re
+import warnings
 from collections.abc import Iterator
 from functools import lru_cache
 
-from haros_ci.checking.branches import parsed
 from haros_ci.regex import regex
 
 #: What may give a module further names: what is imported from elsewhere, and names that are made while it runs.
 _MADE = regex(
     r"\bimport[ \t]*\(?[ \t]*\*|\b__getattr__\b|\b__dict__\b|\b(?:globals|locals|vars|setattr|exec|eval)[ \t]*\(|\bsys\.modules\b|\bimportlib\b"
 )
+#: How CMake or setup.py says that a build makes modules of C or C++, under names that may stand in no file of the package's own.
+EXTENSIONS = regex(
+    r"pybind11|nanobind|swig|cython|cffi|python\d?_add_\w+|python\d?libs|boost\W{1,40}(?:\w+\W{1,9}){0,20}python|python\d?\W[^()]{0,200}\bdevelopment\b|ext_modules|\bextension\b",
+    re.IGNORECASE,
+)
 _FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef)
+
+
+def parsed(text: str) -> ast.Module | None:
+    """The syntax of *text*; None if it has none for this Python. What Python warns of in it is not printed."""
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            return ast.parse(text)
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        return None
 
 
 @lru_cache(maxsize=512)

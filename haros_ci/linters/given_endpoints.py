@@ -1,0 +1,132 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Calls of ROS that somebody else is given to call: ``Thread(target=self.create_subscription, …)``. The model does not have what they make."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterator
+
+from haros_ci.linters.in_default import is_test
+from haros_ci.linters.pylint_idioms import nodes
+from haros_ci.model.workspace import Workspace
+from haros_ci.regex import regex
+from haros_ci.results.code_alone import code_alone
+from haros_ci.results.result import Notification
+from haros_ci.results.rule import Level
+
+#: Places that are named; the rest is counted. Longer files are not looked at.
+MOST = 10
+MAX_TEXT = 300_000
+_QUOTED = 80
+_OF_NODES = frozenset(
+    "create_publisher create_subscription create_service create_client create_timer create_lifecycle_publisher".split()
+)
+_OF_MODULES = frozenset(
+    f"{module}.{name}"
+    for module, names in (
+        ("rospy", "Publisher Subscriber Service ServiceProxy Timer"),
+        ("rclpy.action", "ActionServer ActionClient"),
+        ("actionlib", "SimpleActionServer SimpleActionClient"),
+        ("message_filters", "Subscriber"),
+    )
+    for name in names.split()
+)
+#: What asks for such a name, or takes its place, and does not call it; ``partial`` is followed.
+_ASKS = frozenset(
+    "partial partialmethod hasattr getattr isinstance issubclass callable type id repr str signature getsource wraps object Mock MagicMock patch spy".split()
+)
+_MAY = regex(
+    r"\bcreate_(?:publisher|subscription|service|client|timer|lifecycle_publisher)\b|\brospy\b|\bActionServer\b|\bActionClient\b|\bSimpleAction|\bmessage_filters\b"
+)
+#: In C++ the address of such a method of a node, or of a handle.
+_ADDRESS = regex(
+    r"&\s*(?:::)?(?:\w+::){1,4}(create_(?:publisher|subscription|service|client|wall_timer|timer)|advertise(?:Service)?|subscribe|serviceClient|createTimer|createWallTimer)\b(?!\s*\()"
+)
+_HANDLES = regex(r"&\s*(?:::)?(?:rclcpp|rclcpp_lifecycle|ros)::")
+
+
+def notifications(head: Workspace, base: Workspace | None) -> tuple[Notification, ...]:
+    """A note for each such call of *head* that no file of *base* which changed or is gone has; none without a base."""
+    if base is None:
+        return ()
+    old, now = ({file.digest for file in one.files} for one in (base, head))
+    found = [
+        (file.path, line, name)
+        for file in head.files
+        if file.digest not in old and not file.third_party and not is_test(file.path) and head.reports_on(file.path)
+        for line, name in _given(file.language, head, file.path)
+    ]
+    if not found:
+        return ()
+    gone = (file for file in base.files if file.digest not in now)
+    known = {name for file in gone for _, name in _given(file.language, base, file.path)}
+    new = [one for one in found if one[2] not in known]
+    notes = [Notification(Level.NOTE, _message(name), path=path, line=line) for path, line, name in new[:MOST]]
+    rest = f"{len(new) - MOST} more calls of ROS are given to something that may call them since this change"
+    return (*notes, *([Notification(Level.NOTE, rest)] if len(new) > MOST else []))
+
+
+def _message(name: str) -> str:
+    return f"since this change {name} is given to something that may call it: the model does not have what that makes; look at it"
+
+
+def _given(language: str, workspace: Workspace, path: str) -> Iterator[tuple[int, str]]:
+    if language not in ("python", "cpp"):
+        return
+    text = workspace.text(path)
+    if len(text) <= MAX_TEXT:
+        yield from given_in_python(text) if language == "python" else given_in_cpp(text)
+
+
+def given_in_python(text: str) -> Iterator[tuple[int, str]]:
+    """The lines and names of such calls in Python."""
+    if _MAY.search(text) is None:
+        return
+    every = nodes(text)
+    modules: dict[str, str] = {}
+    for node in every:
+        if isinstance(node, ast.ImportFrom) and node.module:
+            modules.update({alias.asname or alias.name: f"{node.module}.{alias.name}" for alias in node.names})
+        elif isinstance(node, ast.Import):
+            modules.update({alias.asname: alias.name for alias in node.names if alias.asname})
+    for node in every:
+        if not isinstance(node, ast.Call) or _last(node.func) in _ASKS:
+            continue
+        pending: list[ast.expr] = [*node.args, *(word.value for word in node.keywords)]
+        while pending:
+            part = pending.pop()
+            if isinstance(part, ast.List | ast.Tuple | ast.Set):
+                pending += part.elts
+            elif isinstance(part, ast.Dict):
+                pending += part.values
+            elif isinstance(part, ast.Attribute | ast.Name):
+                name = _name(part, modules)
+                if name in _OF_MODULES or (isinstance(part, ast.Attribute) and part.attr in _OF_NODES):
+                    yield part.lineno, ast.unparse(part)[:_QUOTED]
+
+
+def given_in_cpp(text: str) -> Iterator[tuple[int, str]]:
+    """The lines and names of such calls in C++."""
+    if "&" not in text or _ADDRESS.search(text) is None:
+        return
+    code = code_alone(text, "c")
+    for match in _ADDRESS.finditer(code):
+        if match[1].startswith("create_") or _HANDLES.match(match[0]):
+            yield code.count("\n", 0, match.start()) + 1, "".join(match[0][1:].split())
+
+
+def _last(function: ast.expr) -> str:
+    return (
+        function.attr if isinstance(function, ast.Attribute) else function.id if isinstance(function, ast.Name) else ""
+    )
+
+
+def _name(part: ast.expr, modules: dict[str, str]) -> str:
+    """The whole name of *part*, as far as imports of the file tell."""
+    names: list[str] = []
+    while isinstance(part, ast.Attribute):
+        names.append(part.attr)
+        part = part.value
+    if not isinstance(part, ast.Name):
+        return ""
+    return ".".join((modules.get(part.id, part.id), *reversed(names)))

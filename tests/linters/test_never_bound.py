@@ -1,0 +1,114 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Names of Python that have no value where they are used, though their scope binds them somewhere."""
+
+from __future__ import annotations
+
+import pytest
+
+from haros_ci.linters.never_bound import never_bound
+
+USE = "\n\ndef use():\n    return json.dumps({})\n"
+FIRES = {
+    "false": "if False:\n    import json" + USE,
+    "zero": "if 0:\n    import json" + USE,
+    "none": "if None:\n    import json" + USE,
+    "not_true": "if not True:\n    import json" + USE,
+    "else_of_true": "if True:\n    pass\nelse:\n    import json" + USE,
+    "empty": "if []:\n    import json" + USE,
+    "compared": "if 1 == 2:\n    import json" + USE,
+    "loop": "while False:\n    import json" + USE,
+    "no_turn": "for _ in ():\n    import json" + USE,
+    "constant": "DEBUG = False\nif DEBUG:\n    import json" + USE,
+    "and": "DEBUG = False\nif DEBUG and print():\n    import json" + USE,
+    "types": "from typing import TYPE_CHECKING\nif TYPE_CHECKING:\n    import json" + USE,
+    "types_of_module": "import typing\nif typing.TYPE_CHECKING:\n    import json" + USE,
+    "annotation": "from typing import TYPE_CHECKING\nif TYPE_CHECKING:\n    import json\ndef use(x: json.JSONDecoder):\n    return x\n",
+    "old": "import sys\nif sys.version_info < (3,):\n    import json" + USE,
+    "major": "import sys\nif sys.version_info[0] == 2:\n    import json" + USE,
+    "name": "if __name__ == 'nobody':\n    import json" + USE,
+    "harmless": "try:\n    pass\nexcept ImportError:\n    import json" + USE,
+    "function": "if 0:\n    def json():\n        pass" + USE,
+    "walrus": "False and (json := 3)" + USE,
+    "global": "def late():\n    global json\n    import json" + USE,
+    "deleted": "import json\ndel json" + USE,
+    "deleted_here": "def use():\n    json = 1\n    del json\n    return json\n",
+    "deleted_around": "def use():\n    import json\n    del json\n    def inner():\n        return json\n    return inner\n",
+    "local": "def use():\n    if False:\n        json = 1\n    return json\n",
+    "declared": "def use():\n    json: int\n    return json\n",
+    "handled": "def use(a):\n    try:\n        a()\n    except ValueError as json:\n        pass\n    return json\n",
+    "behind_return": "def use():\n    if a:\n        return json\n    return 1\n    json = 2\n",
+    "behind_both": "def use(a):\n    while a:\n        print(json)\n    if a:\n        return 1\n    else:\n        return 2\n    json = 2\n",
+}
+QUIET = {
+    "plain": "import json" + USE,
+    "either": "if False:\n    import json\nelse:\n    import ujson as json" + USE,
+    "unknown": "import os\nif os.environ:\n    import json" + USE,
+    "optional": "try:\n    import json\nexcept ImportError:\n    json = None" + USE,
+    "both_off": "DEBUG = False\nif DEBUG:\n    import json\ndef use():\n    if DEBUG:\n        json.dumps({})\n",
+    "switched": "DEBUG = False\ndef on():\n    global DEBUG\n    DEBUG = True\nif DEBUG:\n    import json" + USE,
+    "twice": "DEBUG = False\nDEBUG = bool(input())\nif DEBUG:\n    import json" + USE,
+    "argument": "x = 0\ndef use(x):\n    if x:\n        json = 1\n    return json\n",
+    "types_only": "from __future__ import annotations\nfrom typing import TYPE_CHECKING\nif TYPE_CHECKING:\n    import json\ndef use(x: json.JSONDecoder):\n    return x\n",
+    "types_in_text": "from typing import TYPE_CHECKING\nif TYPE_CHECKING:\n    import json\ndef use(x: 'json.JSONDecoder'):\n    return x\n",
+    "types_of_locals": "from typing import TYPE_CHECKING\nif TYPE_CHECKING:\n    import json\ndef use(x):\n    y: json.JSONDecoder = x\n    return y\n",
+    "types_or_not": "from typing import TYPE_CHECKING\nif TYPE_CHECKING:\n    import json\nelse:\n    json = None"
+    + USE,
+    "new": "import sys\nif sys.version_info >= (3, 11):\n    import json\nelse:\n    import tomli as json" + USE,
+    "newer": "import sys\nif sys.version_info >= (3, 11):\n    import json" + USE,
+    "main": "if __name__ == '__main__':\n    import json" + USE,
+    "builtin": "if False:\n    print = 1\ndef use():\n    print(1)\n",
+    "global_main": "def main():\n    global json\n    import json\n    use()"
+    + USE
+    + "if __name__ == '__main__':\n    main()\n",
+    "global_called": "def late():\n    global json\n    import json\nlate()" + USE,
+    "global_given": "def late():\n    global json\n    import json\nstart(late)" + USE,
+    "global_by_name": "def late():\n    global json\n    import json\nstart('late')" + USE,
+    "global_decorated": "@hook\ndef late():\n    global json\n    import json" + USE,
+    "global_method": "class A:\n    def setUp(self):\n        global json\n        import json" + USE,
+    "global_test": "def setup_module():\n    global json\n    import json" + USE,
+    "given_by_text": "if False:\n    import json\nglobals()['json'] = 1" + USE,
+    "star": "if False:\n    import json\nfrom tools import *" + USE,
+    "deleted_helper": "def _make():\n    return _a\n_a = 1\nb = _make()\ndel _make, _a\n",
+    "deleted_called": "import json" + USE + "use()\ndel json\n",
+    "deleted_again": "import json\ndel json\nimport json" + USE,
+    "deleted_in_branch": "import json\nif input():\n    del json" + USE,
+    "deleted_in_loop": "def use():\n    for _ in range(3):\n        json = 1\n        del json\n    json = 2\n    return json\n",
+    "handled_inside": "def use(a):\n    try:\n        a()\n    except ValueError as json:\n        print(json)\n        def say():\n            return json\n        say()\n",
+    "handled_and_set": "def use(a):\n    json = None\n    try:\n        a()\n    except ValueError as json:\n        pass\n    return json\n",
+    "awaited": "if False:\n    import json\ntry:\n    json.dumps({})\nexcept NameError:\n    pass\n",
+    "awaited_any": "if False:\n    import json\ntry:\n    json.dumps({})\nexcept Exception:\n    pass\n",
+    "declared_here": "def use():\n    json: int\n    json = 1\n    return json\n",
+    "declared_above": "json: int\nclass A:\n    json: int\ndef use():\n    return json\n",
+    "class_body": "class A:\n    if False:\n        json = 1\n    def use(self):\n        return self.json\n",
+    "unpacked": "def use():\n    if False:\n        pass\n    json, (x, *y) = 1, (2, 3)\n    return json, x, y\n",
+    "with": "def use():\n    with open('x') as json:\n        return json\n",
+    "comprehension": "def use():\n    return [json for json in range(3) if (y := json)] + [y]\n",
+    "match": "def use(a):\n    match a:\n        case {'x': json, **rest}:\n            return json, rest\n",
+    "nonlocal": "def use():\n    json: int\n    def inner():\n        nonlocal json\n        json = 1\n    inner()\n    return json\n",
+    "dead_use": "if False:\n    import json\n    json.dumps({})\n",
+    "not_parsed": "if False:\n    import json\nprint json\n",
+    "attribute": "import json\nif False:\n    json.tool = 1\ndef use():\n    return json.tool\n",
+}
+
+
+@pytest.mark.parametrize("name", FIRES)
+def test_fires(name: str) -> None:
+    found = list(never_bound(FIRES[name], lambda name: False))
+    assert [one.name for one in found] == ["json"]
+
+
+@pytest.mark.parametrize("name", QUIET)
+def test_stays_quiet(name: str) -> None:
+    assert list(never_bound(QUIET[name], lambda name: False)) == []
+
+
+def test_a_function_that_another_file_calls() -> None:
+    assert list(never_bound(FIRES["global"], lambda name: name == "late")) == []
+
+
+def test_a_long_or_deep_file_is_no_trouble() -> None:
+    deep = "".join(f"{' ' * i}if x{i}:\n" for i in range(90)) + " " * 90 + "import json" + USE
+    wide = "if False:\n    import json\n" + "x = [" + "[" * 80 + "]" * 80 + "]\n" + "y = " + "+".join(["a"] * 900) + USE
+    assert list(never_bound(deep)) == []
+    assert [one.name for one in never_bound(wide)] == ["json"]
+    assert list(never_bound("if False:\n    import json" + USE + "#" * 400_000)) == []
