@@ -164,7 +164,7 @@ def written_text(run: ScriptEvaluation, path: PathValue, call: LibraryCall) -> V
 
 
 def actions(run: ScriptEvaluation) -> tuple[Action, ...]:
-    """What is told of the files that have been written so far, before anything else is done."""
+    """What is known of the files that have been written so far, before anything else is done."""
     return tuple(_action(run, item) for item in run.written)
 
 
