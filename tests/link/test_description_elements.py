@@ -86,3 +86,9 @@ def test_those_of_a_name(load: str) -> None:
     assert topics(load, "<eye>a</eye><other>x</other><eye>b</eye>") == ["/a", "/b"]
     assert topics(load, "<other>x</other><eye>b</eye>") == ["/b"]
     assert "/?" in topics(load, '<eye>a</eye><xacro:if value="$(optenv A)"><eye>b</eye></xacro:if>')
+
+
+@pytest.mark.parametrize("handle", ["GetHandle()", "this->GetHandle()"])
+def test_the_name_of_the_plugin(handle: str) -> None:
+    load = f"ros::NodeHandle own({handle}); own." + PUB.format('"t"').replace("nh.", "")
+    assert topics(load, "") == ["/e/t"]

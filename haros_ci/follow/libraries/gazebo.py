@@ -26,6 +26,8 @@ CLASSES = frozenset((ELEMENT, PARAM, PARENT, HELPER))
 #: The field that has the element; the text of a parameter, the name of a parent; the helper's node handle.
 SELF, HANDLE = OWN = ("(self)", "(handle)")
 SPACE = "robotNamespace"
+#: The field of a plug-in that has its name (extract/apis/gazebo.py).
+HANDLE_NAME = "handleName"
 #: The field that has the elements behind one.
 REST = "(rest)"
 DOUBTFUL = "it stands in the description under a condition that is not known"
@@ -54,6 +56,11 @@ def element(sdf: Sdf, rest: tuple[Sdf, ...] | None = None) -> Object:
     if rest is not None:
         fields[REST] = Cell(Known(rest))
     return Object(ELEMENT, fields=fields)
+
+
+def called(sdf: Sdf) -> Value:
+    """The name of the plug-in of which *sdf* is the element."""
+    return _known(sdf.attributes.get("name"))
 
 
 def is_one_of_several(value: Value) -> bool:
