@@ -39,3 +39,13 @@ def test_copies(body: str, expected: list[str]) -> None:
     node = cpp(f"Pm pm(&nh); {body}", BEFORE)
     assert sorted(set(names(node))) == expected
     assert not any(end.unknowns for end in explicit(node))
+
+
+@pytest.mark.parametrize(
+    ("third", "latched"), [("true", True), ("false", False), ("this", True), ("1", True), ("*this", None)]
+)
+def test_a_pointer_for_a_flag(third: str, latched: bool | None) -> None:
+    members = "operator bool() const { return go_; } bool go_;" if latched is None else ""
+    before = f'struct N {{ N(ros::NodeHandle& nh) {{ p = nh.advertise<std_msgs::String>("t", 1, {third}); }} ros::Publisher p; {members} }};'
+    (end,) = explicit(cpp("N n(nh);", before))
+    assert end.latched is latched
