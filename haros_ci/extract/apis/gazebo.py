@@ -3,9 +3,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-
-CLASSES = ("ModelPlugin", "WorldPlugin", "SensorPlugin", "VisualPlugin", "SystemPlugin")
-ROWS: tuple[Mapping[str, object], ...] = tuple(
-    {"call": f"gazebo::{name}::GetHandle", "args": [0], "returns": "{this.handleName}"} for name in CLASSES
+# fmt: off
+ROWS: tuple[dict[str, object], ...] = (
+    # The name that the description gives to the plug-in.
+    {"call": "gazebo::ModelPlugin::GetHandle", "args": [0], "returns": "{this.handleName}"},
+    {"call": "gazebo::WorldPlugin::GetHandle", "args": [0], "returns": "{this.handleName}"},
+    {"call": "gazebo::SensorPlugin::GetHandle", "args": [0], "returns": "{this.handleName}"},
+    {"call": "gazebo::VisualPlugin::GetHandle", "args": [0], "returns": "{this.handleName}"},
+    {"call": "gazebo::SystemPlugin::GetHandle", "args": [0], "returns": "{this.handleName}"},
 )
+# fmt: on
