@@ -6,7 +6,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator
 
-from haros_ci.api import Check, Decidability, Finding, Level, Location, Project, listed, syntax
+from haros_ci.api import Check, Decidability, Finding, Level, Location, Project, listed, regex, syntax
 from haros_ci.api.code import (
     Codebase,
     Routine,
@@ -34,7 +34,7 @@ OUTCOMES = frozenset(
 #: Those of a goal handle.
 _ENDS = frozenset(("succeed", "abort", "canceled"))
 #: Comments by which a goal is left to be aborted, and so many lines of a function that are read.
-_ABORTS = re.compile(
+_ABORTS = regex(
     r"\b(?:otherwise|automatically|implicitly)\b[^.;()=]{0,60}\babort|\babort(?:s|ed)?\b[^.;()=]{0,60}\b(?:automatically|implicitly|by itself)\b",
     re.IGNORECASE,
 )

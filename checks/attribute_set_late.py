@@ -5,9 +5,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 
-from haros_ci.api import Check, Finding, Level, Location, Project, listed, syntax
+from haros_ci.api import Check, Finding, Level, Location, Project, dataclass, listed, regex, syntax
 from haros_ci.api.code import Callback, Codebase, Routine, alone, base_names, callbacks, methods, owner_of
 
 _KINDS = frozenset(("subscription", "service", "timer"))
@@ -18,7 +17,7 @@ _WAITS = frozenset(
 #: Calls in which callbacks of rclpy run.
 _SPINS = frozenset(("spin_once", "spin_some", "spin_until_future_complete", "spin_until_complete", "spin"))
 #: Classes that may set or ask for attributes by name.
-_BY_NAME = re.compile(r"\b(?:setattr|hasattr|getattr|vars)\s*\(|__(?:getattr|getattribute|dict|slots)__|AttributeError")
+_BY_NAME = regex(r"\b(?:setattr|hasattr|getattr|vars)\s*\(|__(?:getattr|getattribute|dict|slots)__|AttributeError")
 #: A constructor with more statements is data.
 _MANY = 500
 _CALLBACKS = 50

@@ -3,12 +3,11 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from dataclasses import replace
 from posixpath import basename
 
-from haros_ci.api import Check, Finding, Level, Location, Project
+from haros_ci.api import Check, Finding, Level, Location, Project, regex
 from haros_ci.api.robots import (
     Description,
     Joint,
@@ -24,9 +23,9 @@ from haros_ci.api.robots import (
 #: Joints that urdfdom refuses without a <limit> (parseJoint).
 _LIMITED = ("revolute", "prismatic")
 #: The start tag of an element, and whether that is all of it.
-_START = re.compile(r"\s*<([\w:.-]+)(?:\s[^<>]*?)?(/)?>")
+_START = regex(r"\s*<([\w:.-]+)(?:\s[^<>]*?)?(/)?>")
 #: Blanks around what they mean nothing around.
-_AROUND = re.compile(r"(?<!\s)\s*(=|>)\s*")
+_AROUND = regex(r"(?<!\s)\s*(=|>)\s*")
 #: Lines of an element that are compared.
 MAX_LINES = 200
 

@@ -8,10 +8,10 @@ import posixpath
 import re
 from collections.abc import Iterator
 
-from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage
+from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage, regex
 
-_CALL = re.compile(r"\bgenerate\s*\(")
-_GENERATE = re.compile(r"\bgenerate\s*\(\s*(?:[\"'](\w+)[\"']|(\w+))\s*,")
+_CALL = regex(r"\bgenerate\s*\(")
+_GENERATE = regex(r"\bgenerate\s*\(\s*(?:[\"'](\w+)[\"']|(\w+))\s*,")
 _ASSIGNED = r"^{0}\s*=\s*[\"'](\w+)[\"']\s*(?:#.*)?$"
 
 

@@ -6,13 +6,13 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from haros_ci.api import Check, Finding, Level, System
+from haros_ci.api import Check, Finding, Level, System, regex
 from haros_ci.api.launch import Comparison, ConditionUse, included_by
 
 _TRUTHS = {"true": True, "false": False}
 #: What authors write to switch a part of a launch file on or off by hand.
 _SWITCHES = frozenset((*_TRUTHS, "1", "0"))
-_CONDITION = re.compile(
+_CONDITION = regex(
     r"(?:\w+\.)*(?:If|Unless)Condition\(\s*(?:predicate_expression\s*=\s*)?(.{0,40}?)\s*(?:,\s*)?\)", re.DOTALL
 )
 

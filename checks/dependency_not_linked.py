@@ -6,16 +6,16 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from haros_ci.api import Check, Finding, Fix, Level, Location, Project, ProjectPackage
+from haros_ci.api import Check, Finding, Fix, Level, Location, Project, ProjectPackage, regex
 from haros_ci.api.packages import Target, Using, insert_line
 
 #: Variables of libraries that bring neither headers nor libraries of ROS.
-_PLAIN = re.compile(
+_PLAIN = regex(
     r"\$\{(?:EIGEN\w*|Eigen\w*|Boost|BOOST|OpenCV|OPENCV|PCL|GTEST|PYTHON|Python\w*|YAML_?CPP|yaml-cpp|SDL\w*|OPENGL\w*|Qt\w*|QT\w*"
     r"|TinyXML\w*|CURL|ZLIB|OGRE|BULLET|Bullet|CMAKE_DL|CMAKE_THREAD)_\w*\}"
 )
-_GENERATED = re.compile(r"(\w+)/(?:msg|srv|action)/\w+\.hp?p?")
-_ROSCPP = re.compile(r"\bros::(?:init|NodeHandle|spin)\b|\bROS_(?:INFO|WARN|ERROR|DEBUG)\w*\b")
+_GENERATED = regex(r"(\w+)/(?:msg|srv|action)/\w+\.hp?p?")
+_ROSCPP = regex(r"\bros::(?:init|NodeHandle|spin)\b|\bROS_(?:INFO|WARN|ERROR|DEBUG)\w*\b")
 
 
 def check(project: Project) -> Iterator[Finding]:

@@ -5,9 +5,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
 
-from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage
+from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage, dataclass, field, regex
 from haros_ci.api.launch import FileUse
 from haros_ci.api.packages import (
     CMakeCommand,
@@ -25,16 +24,14 @@ from haros_ci.api.packages import (
     uninstalled,
 )
 
-_LAUNCH = re.compile(r"\.launch(?:\.(?:py|xml|ya?ml))?$|[_-]launch\.(?:py|xml|ya?ml)$|^launch/.*\.xml$")
-_ASIDE = re.compile(
-    r"(?:^|[/_-])(?:tests?|testing|examples?|demos?|samples?|benchmarks?|mock|old|deprecated)(?:$|[/_.-])"
-)
-_OF_ROS1 = re.compile(r"<node\b[^<>]*\stype\s*=|\$\(arg\s")
+_LAUNCH = regex(r"\.launch(?:\.(?:py|xml|ya?ml))?$|[_-]launch\.(?:py|xml|ya?ml)$|^launch/.*\.xml$")
+_ASIDE = regex(r"(?:^|[/_-])(?:tests?|testing|examples?|demos?|samples?|benchmarks?|mock|old|deprecated)(?:$|[/_.-])")
+_OF_ROS1 = regex(r"<node\b[^<>]*\stype\s*=|\$\(arg\s")
 #: Where a model or a page names a file of a package.
-_COMMENT = re.compile(r"<!--.*?(?:-->|\Z)", re.S)
-_NAMED = re.compile(r"(?:package://([\w-]+)/|\$\((?:find|find-pkg-share)\s+([\w-]+)\)/)([\w./+-]+)")
+_COMMENT = regex(r"<!--.*?(?:-->|\Z)", re.S)
+_NAMED = regex(r"(?:package://([\w-]+)/|\$\((?:find|find-pkg-share)\s+([\w-]+)\)/)([\w./+-]+)")
 #: How the manifest of a ROS 1 package names the descriptions of its plug-ins, and rqt's and rosdoc's files.
-_EXPORTED = re.compile(r"""\bplugin\s*=\s*["']\$\{prefix\}/([\w./+-]+)["']""")
+_EXPORTED = regex(r"""\bplugin\s*=\s*["']\$\{prefix\}/([\w./+-]+)["']""")
 _MODELS = (".urdf", ".xacro", ".sdf", ".world", ".rviz", ".srdf")
 #: So many places that need something are shown.
 _SHOWN = 5

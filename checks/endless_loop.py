@@ -6,17 +6,17 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from haros_ci.api import Check, Decidability, Finding, Level, Location, Project, syntax
+from haros_ci.api import Check, Decidability, Finding, Level, Location, Project, regex, syntax
 from haros_ci.api.code import Codebase, Routine, alone, callees, is_dead
 
 #: Text in a loop's body by which it may end, or by which more may happen than is seen.
-ENDS = re.compile(
+ENDS = regex(
     r"\b(break|return|throw|goto|exit|_exit|quick_exit|abort|raise|terminate|longjmp|ok|is_shutdown|isShuttingDown|isRunning|"
     r"co_await|co_yield|co_return|yield|await|interruption_point|rethrow_exception|sys|os|pthread_exit|THROW\w*|RETURN\w*|\w*_RETURN\w*|"
     r"\w*ASSERT\w*|\w*CHECK\w*|BREAK\w*)\b"
 )
 #: Calls in Python that raise an exception once rospy or rclpy has shut down (rospy.sleep: ROSInterruptException).
-RAISES = re.compile(
+RAISES = regex(
     r"\b(rospy|rclpy|rate|executor)\b|(?<!\btime)\.sleep\(|\binput\(|spin|\bnext\(|\.get\(|\.recv|\.accept\(|\.read|\bself\.\w*rate"
 )
 #: What a node includes; the clients of microcontrollers (rosserial) know no shutdown.
@@ -25,14 +25,14 @@ ROS = frozenset(("ros/ros.h", "nodelet/nodelet.h"))
 _ASKED = ("ros::ok", "rclcpp::ok")
 
 #: A request that the machine goes off, which the loop repeats until it does.
-_POWER = re.compile(
+_POWER = regex(
     r"\bsystem\s*\([^;]{0,400}\b(?:shutdown|poweroff|reboot|halt)\b|\b\w{0,80}?(?:power_?off|reboot)\w{0,80}\s*\(",
     re.IGNORECASE,
 )
 #: What interrupts a boost::thread or a group of them; what the thread may be interrupted at, and waits that are no such place.
-_INTERRUPT = re.compile(r"(?:\.|->)\s*interrupt(?:_all)?\s*\(")
-_INTERRUPTION_POINT = re.compile(r"(?:wait|sleep|pop|join|take|receive|acquire)\w{0,80}\s*\(", re.IGNORECASE)
-_NO_INTERRUPTION_POINT = re.compile(
+_INTERRUPT = regex(r"(?:\.|->)\s*interrupt(?:_all)?\s*\(")
+_INTERRUPTION_POINT = regex(r"(?:wait|sleep|pop|join|take|receive|acquire)\w{0,80}\s*\(", re.IGNORECASE)
+_NO_INTERRUPTION_POINT = regex(
     r"\b(?:std::this_thread::sleep_\w+|(?:ros|rclcpp)::\w+|usleep|nanosleep|(?<!:)sleep|\w*(?:r|[rR]ate)_?\.sleep)\s*\("
 )
 

@@ -7,7 +7,7 @@ import posixpath
 import re
 from collections.abc import Iterator
 
-from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage, spelled_out
+from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage, regex, spelled_out
 from haros_ci.api.packages import COUNTERPARTS, Dependency, holds, is_nested, repositories_named
 
 #: What builds a package; of another one wrong-build-type tells.
@@ -20,11 +20,9 @@ _GENERATORS = frozenset(
 #: The client libraries, by the language of the code that needs them.
 _CLIENTS = {"rospy": "python", "rclpy": "python", "roscpp": "cpp", "rclcpp": "cpp"}
 _INTERFACES = (".msg", ".srv", ".action")
-_VERSION = re.compile(r"\$ROS_VERSION\s*==\s*['\"]?([12])")
+_VERSION = regex(r"\$ROS_VERSION\s*==\s*['\"]?([12])")
 #: Files that bring sources of other repositories into the workspace.
-_SOURCES = re.compile(
-    r"\.(?:repos|rosinstall)$|(?:^|/)\.gitmodules$|(?:^|/)[^/]*(?:dependencies|upstream)[^/]*\.ya?ml$"
-)
+_SOURCES = regex(r"\.(?:repos|rosinstall)$|(?:^|/)\.gitmodules$|(?:^|/)[^/]*(?:dependencies|upstream)[^/]*\.ya?ml$")
 
 
 def check(project: Project) -> Iterator[Finding]:

@@ -3,17 +3,16 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Mapping, Sequence
 
-from haros_ci.api import Check, Finding, Level, Location, System
+from haros_ci.api import Check, Finding, Level, Location, System, regex
 from haros_ci.api.launch import ConstructUse, included_by, owner
 from haros_ci.api.packages import Package, serves_both
 
 #: Words of names by which a launch file is meant for the ROS of that number.
 _MEANT = {
-    1: re.compile(r"(?<![a-z0-9])(?:ros_?1|roslaunch|indigo|kinetic|melodic|noetic)(?![a-z0-9])"),
-    2: re.compile(
+    1: regex(r"(?<![a-z0-9])(?:ros_?1|roslaunch|indigo|kinetic|melodic|noetic)(?![a-z0-9])"),
+    2: regex(
         r"(?<![a-z0-9])(?:ros_?2|dashing|eloquent|foxy|galactic|humble|iron|jazzy|kilted|lyrical|rolling)(?![a-z0-9])"
     ),
 }

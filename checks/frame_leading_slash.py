@@ -5,17 +5,16 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 
-from haros_ci.api import Check, Decidability, Finding, Level, Location, System, SystemNode
+from haros_ci.api import Check, Decidability, Finding, Level, Location, System, SystemNode, dataclass, regex
 
 #: Parameters that hold the name of a frame.
-_PARAMETER = re.compile(r"(?:^|[_./:])(?:frame|frame_id|frameid|[a-z0-9]+_frame|[a-z0-9_]+_frame_id)$")
+_PARAMETER = regex(r"(?:^|[_./:])(?:frame|frame_id|frameid|[a-z0-9]+_frame|[a-z0-9_]+_frame_id)$")
 _ENDS = ("frame", "frame_id", "frameid")
-_FRAME = re.compile(r"/[A-Za-z]\w*(?:/\w+)*")
+_FRAME = regex(r"/[A-Za-z]\w*(?:/\w+)*")
 _QUOTED = r"[\"'](/[A-Za-z]\w*(?:/\w+)*)[\"']"
 #: What code does with a frame: it puts it into a header, or asks tf2 for it.
-_IN_CODE = re.compile(
+_IN_CODE = regex(
     r"(?P<set>(?:\b(?P<of>\w+)\s*(?:\.|->)\s*)?(?:\bheader\s*\.\s*)?"
     r"\b(?:child_)?frame_id\s*=\s*(?:(?=[\"'])|(?:std::)?string\(\s*))" + _QUOTED + "|"
     r"(?P<ask>\b(?:lookup_?transform|can_?transform|lookup_transform_full)\w*\s*\((?:[^;()]{0,80}?,)?\s*)" + _QUOTED,
@@ -27,13 +26,13 @@ _STRIPPING = (
     r"|\.\s*(?:l?strip|removeprefix|startswith|starts_with|replace)\s*\(\s*[\"']/"
     r"|\.\s*(?:erase\s*\(\s*(?:0\s*,\s*1\b|\w+\s*\.\s*c?begin\s*\(\s*\)\s*\))|substr\s*\(\s*1\b))"
 )
-_STRIPS = re.compile(_STRIPPING + r"|\bstrip_?(?:leading_?)?slash\b", re.IGNORECASE)
-_STRIPPED = re.compile(r"\b(\w+)\s*" + _STRIPPING)
-_WORD = re.compile(r"[A-Za-z_]\w*")
-_TEXTS = re.compile(r"\"[^\"\n]*\"|'[^'\n]*'")
-_CALLED = re.compile(r"\b([A-Za-z_]\w*)\s*\(")
+_STRIPS = regex(_STRIPPING + r"|\bstrip_?(?:leading_?)?slash\b", re.IGNORECASE)
+_STRIPPED = regex(r"\b(\w+)\s*" + _STRIPPING)
+_WORD = regex(r"[A-Za-z_]\w*")
+_TEXTS = regex(r"\"[^\"\n]*\"|'[^'\n]*'")
+_CALLED = regex(r"\b([A-Za-z_]\w*)\s*\(")
 #: A function that is defined here: its name, up to its body.
-_DEFINED = re.compile(r"\b(?:def\s+)?([A-Za-z_]\w*)\s*\([^;{}()]{0,400}\)\s*(?:const\s*)?(?:->\s*\w+\s*)?[{:]")
+_DEFINED = regex(r"\b(?:def\s+)?([A-Za-z_]\w*)\s*\([^;{}()]{0,400}\)\s*(?:const\s*)?(?:->\s*\w+\s*)?[{:]")
 #: The declaration of a variable: its type, or what it is made by.
 _DECLARED = (
     r"(?:\b(?P<type>[A-Z]\w*)(?:::(?:Shared|Unique|)Ptr|Ptr|>)?[\s&*]+{word}\s*[;=,)({{:\[]"
@@ -42,7 +41,7 @@ _DECLARED = (
 #: Messages whose frames MoveIt looks up in its planning scene, which takes the slash off (PlanningScene::getFrameTransform, knowsFrameTransform).
 _OF_MOVEIT = frozenset(("CollisionObject", "AttachedCollisionObject"))
 #: An element of an array of markers, before its header.
-_ELEMENT = re.compile(r"\bmarkers\s*(?:\[[^\[\]\n]{0,40}\]|\.(?:back|front)\(\)|\.at\([^()\n]{0,40}\))\s*(?:\.|->)\s*$")
+_ELEMENT = regex(r"\bmarkers\s*(?:\[[^\[\]\n]{0,40}\]|\.(?:back|front)\(\)|\.at\([^()\n]{0,40}\))\s*(?:\.|->)\s*$")
 #: Words of a statement that reads a parameter, which are not its own.
 _NOT_ITS_OWN = frozenset(
     "this self node std string auto const get_parameter declare_parameter get_parameter_or as_string value string_value "

@@ -6,7 +6,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping
 
-from haros_ci.api import Check, Edit, Finding, Fix, Level, Location, Project, ProjectPackage, listed
+from haros_ci.api import Check, Edit, Finding, Fix, Level, Location, Project, ProjectPackage, listed, regex
 from haros_ci.api.packages import Target
 
 _PARTS = {
@@ -17,7 +17,7 @@ _PARTS = {
 #: Targets that stand for the headers of messages, services and actions (genmsg, rosbuild's name too).
 _MESSAGES = ("generate_messages", "generate_messages_cpp", "gencpp", "genmsg", "EXPORTED_TARGETS")
 #: Names that are meant for targets of generated code: ``pkg_messages_cpp``, ``pkg_gencpp``.
-_LIKE_GENERATED = re.compile(r"_(?:generate\w*|gen\w+|messages?(?:_cpp)?|msgs?_cpp|cfg|EXPORTED_TARGETS)$")
+_LIKE_GENERATED = regex(r"_(?:generate\w*|gen\w+|messages?(?:_cpp)?|msgs?_cpp|cfg|EXPORTED_TARGETS)$")
 _CONFIGS = ("gencfg", "EXPORTED_TARGETS")
 
 

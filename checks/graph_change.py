@@ -3,10 +3,9 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 
-from haros_ci.api import Check, End, Finding, Level, Location, Project, System
+from haros_ci.api import Check, End, Finding, Level, Location, Project, System, regex
 from haros_ci.api.changes import CHANGED_ENDS, Causes, Change, Lost, both, change_said, has_unseen, is_unseen, lost_in
 
 #: What the ends that are left over do with a topic, service or action that nobody gives.
@@ -16,7 +15,7 @@ DOES = {
     "action_clients": ("sends goals to", "no goal is accepted"),
 }
 #: A display's topic in a configuration of rviz.
-_RVIZ = re.compile(r"^\s*(?:Topic|Value|Image Topic|Marker Topic): [\"']?(/[\w/]+)[\"']?\s*(?:#.*)?$")
+_RVIZ = regex(r"^\s*(?:Topic|Value|Image Topic|Marker Topic): [\"']?(/[\w/]+)[\"']?\s*(?:#.*)?$")
 #: The largest configuration of rviz that is looked into, in characters.
 MAX_RVIZ = 500_000
 SHOWN = 10

@@ -6,7 +6,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from haros_ci.api import Check, Decidability, Finding, Level, Project, syntax
+from haros_ci.api import Check, Decidability, Finding, Level, Project, regex, syntax
 from haros_ci.api.code import Codebase, Routine, call_place, calls_of, dotted, is_dead, type_of, uses, variable
 
 STAMPED = "Accel AccelWithCovariance Point Polygon Pose PoseWithCovariance Quaternion Transform Twist TwistWithCovariance Vector3 Wrench"
@@ -28,7 +28,7 @@ HEADED = FRAMED | frozenset(
 TIMED = frozenset(("diagnostic_msgs/DiagnosticArray",))
 MAKERS = frozenset(("make_shared", "make_unique"))
 #: What has to do with frames, and files that may say so.
-_FRAMES = re.compile(
+_FRAMES = regex(
     r"\btf2?(?:_\w+)?\b|\b(?:Transform(?:Listener|Broadcaster)|(?:static_transform|robot_state)_publisher)\b"
     r"|\bmessage_filters\b|\bTimeSynchronizer\b"
 )

@@ -3,10 +3,9 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 
-from haros_ci.api import Check, Finding, Fix, Level, Project, ProjectPackage
+from haros_ci.api import Check, Finding, Fix, Level, Project, ProjectPackage, regex
 from haros_ci.api.packages import (
     BUILD,
     EXPORTED,
@@ -42,7 +41,7 @@ KEYWORDS = ("ADD_LINTER_TESTS", "SKIP_INSTALL", "SKIP_GROUP_MEMBERSHIP_CHECK", "
 #: Packages that come with the generator, at least in some distributions.
 OF_THE_GENERATOR = ("builtin_interfaces", "action_msgs", "service_msgs", "unique_identifier_msgs")
 #: Names of macros that may find packages, but for those that do not.
-FINDING = re.compile("find|package|depend|setup|config|include")
+FINDING = regex("find|package|depend|setup|config|include")
 TAME = ("find_package", "add_dependencies", "ament_export_dependencies", "ament_target_dependencies", "configure_file",
         "ament_export_include_directories", "include_directories", "target_include_directories")  # fmt: skip
 

@@ -6,11 +6,11 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from haros_ci.api import Check, Finding, Level, Project, ProjectPackage, is_slip, spelled_out
+from haros_ci.api import Check, Finding, Level, Project, ProjectPackage, is_slip, regex, spelled_out
 from haros_ci.api.packages import exports, needs, place
 
 #: Words in names of packages that lists leave out on purpose.
-LEFT_OUT = re.compile(
+LEFT_OUT = regex(
     r"(?:^|_)(?:tests?|testing|testsuite|test\w*|demos?|examples?|tutorials?|samples?|benchmarks?|deprecated|legacy|experimental|dev|devel|docs?|documentation|"
     r"internal|ci|docker|template|playground|sandbox|simulat\w+|sim|gazebo\w*|ignition|gz|webots|tools?|utils?|dummy|mock|rqt|minimal|py)(?:_|$)"
 )

@@ -3,10 +3,9 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 
-from haros_ci.api import Check, Finding, Level, Project, ProjectPackage
+from haros_ci.api import Check, Finding, Level, Project, ProjectPackage, regex
 from haros_ci.api.packages import (
     Need,
     Provisions,
@@ -20,7 +19,7 @@ from haros_ci.api.packages import (
 
 _SHOWN = 3
 #: Packages that a build runs and that nothing of what is built needs (REP 149, buildtool_depend).
-_TOOL = re.compile(r"(?:ament_cmake\w*|\w+_cmake_module|rosidl_default_generators|catkin)$")
+_TOOL = regex(r"(?:ament_cmake\w*|\w+_cmake_module|rosidl_default_generators|catkin)$")
 
 
 def check(project: Project) -> Iterator[Finding]:

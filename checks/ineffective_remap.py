@@ -3,9 +3,7 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
-from dataclasses import dataclass, field
 
 from haros_ci.api import (
     Check,
@@ -16,18 +14,21 @@ from haros_ci.api import (
     RemapRule,
     System,
     SystemNode,
+    dataclass,
+    field,
     is_given_away,
     is_idle,
     is_slip,
+    regex,
 )
 
 #: Parameters can be remapped in ROS 1 alone.
 PARAMETERS = ("getters", "setters")
 
 
-_NODE = re.compile(r"<(/?)node\b[^<>]*>")
-_INCLUDE = re.compile(r"<include\b[^<>]*?\bfile\s*=\s*[\"']([^\"'<>]*)")
-_FOUND = re.compile(r"\$\((?:find|find-pkg-share|dirname)\b\s*([\w-]*)\)")
+_NODE = regex(r"<(/?)node\b[^<>]*>")
+_INCLUDE = regex(r"<include\b[^<>]*?\bfile\s*=\s*[\"']([^\"'<>]*)")
+_FOUND = regex(r"\$\((?:find|find-pkg-share|dirname)\b\s*([\w-]*)\)")
 
 
 @dataclass(slots=True)

@@ -7,20 +7,20 @@ import posixpath
 import re
 from collections.abc import Iterator, Mapping
 
-from haros_ci.api import Check, Finding, Fix, Level, Location, Project, ProjectPackage
+from haros_ci.api import Check, Finding, Fix, Level, Location, Project, ProjectPackage, regex
 from haros_ci.api.packages import CMakeCommand, Interface, insert_line, interfaces_in_use
 
 _OLD = {"add_message_files": "msg", "add_service_files": "srv", "add_action_files": "action"}
 _NEW = "rosidl_generate_interfaces"
 _KINDS = (*_OLD.values(), "idl")
 #: Words in names of commands that may generate interfaces, though it is not known which.
-_OTHERS = re.compile(r"rosidl|genmsg|gensrv|msg|message|interface|idl|protobuf|catkin_simple|^cs_")
+_OTHERS = regex(r"rosidl|genmsg|gensrv|msg|message|interface|idl|protobuf|catkin_simple|^cs_")
 _SINGLE = {"DIRECTORY": 1, "BASE_DIR": 1, "LIBRARY_NAME": 1}
 _ENDS = ("DEPENDENCIES", "PACKAGE", "NOINSTALL", "ADD_LINTER_TESTS", "SKIP_INSTALL", "SKIP_GROUP_MEMBERSHIP_CHECK")
 #: What says that a file is the copy of another one, at the end of its name; names that rosidl takes (rosidl_adapter, ``valid_message_name``).
-_COPY = re.compile(r"(?:[_-](?i:backup|bak|old|copy|orig|tmp|unused|deprecated)|(?<=[a-z\d])(?:Backup|Copy|Old))\d*$")
-_COMMENT = re.compile(r"#[^\n]*")
-_NAME = re.compile(r"[A-Z][A-Za-z0-9]*")
+_COPY = regex(r"(?:[_-](?i:backup|bak|old|copy|orig|tmp|unused|deprecated)|(?<=[a-z\d])(?:Backup|Copy|Old))\d*$")
+_COMMENT = regex(r"#[^\n]*")
+_NAME = regex(r"[A-Z][A-Za-z0-9]*")
 #: What actionlib_msgs adds to the name of an action for its messages.
 _OF_ACTION = ("Action", "ActionGoal", "ActionResult", "ActionFeedback", "Goal", "Result", "Feedback")
 _ASIDE = ("deprecated", "unused", "old", "backup", "test", "tests", "examples")

@@ -7,7 +7,7 @@ import re
 from collections import Counter
 from collections.abc import Iterator
 
-from haros_ci.api import Check, Finding, Fix, Level, Project, ProjectPackage, is_slip
+from haros_ci.api import Check, Finding, Fix, Level, Project, ProjectPackage, is_slip, regex
 from haros_ci.api.packages import Element, drop_element, needs, place, rename_element, set_attribute, word
 
 VERSIONS = ("version_lt", "version_lte", "version_eq", "version_gte", "version_gt")
@@ -29,9 +29,9 @@ OF_2 = dict.fromkeys(
 OF_3: dict[str, tuple[str, ...]] = {"group_depend": (), "member_of_group": ()}
 #: What stands in the export section (REP 127, 149 and common plug-ins): it does nothing beside it.
 OF_EXPORT = ("build_type", "metapackage", "architecture_independent", "deprecated", "message_generator")
-EMAIL = re.compile(r"[-\w%+]+(?:\.[-\w%+]+)*@[-a-zA-Z0-9%]+(?:\.[-a-zA-Z0-9%]+)*\.[a-zA-Z]{2,}", re.A)
-VERSION = re.compile(r"[0-9]+\.[0-9]+\.[0-9]+")
-PLACEHOLDER = re.compile(r"[@{}]|\$\(|%\(|<%")
+EMAIL = regex(r"[-\w%+]+(?:\.[-\w%+]+)*@[-a-zA-Z0-9%]+(?:\.[-a-zA-Z0-9%]+)*\.[a-zA-Z]{2,}", re.A)
+VERSION = regex(r"[0-9]+\.[0-9]+\.[0-9]+")
+PLACEHOLDER = regex(r"[@{}]|\$\(|%\(|<%")
 
 
 def check(project: Project) -> Iterator[Finding]:

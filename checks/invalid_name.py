@@ -6,13 +6,13 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from haros_ci.api import ACTION, SERVICE, TOPIC, Check, Finding, Level, Location, System, SystemNode
+from haros_ci.api import ACTION, SERVICE, TOPIC, Check, Finding, Level, Location, System, SystemNode, regex
 
 #: What the whole of a name consists of, by ROS version; ``?`` stands for what is not known.
-_CHARACTERS = {1: re.compile(r"[A-Za-z0-9_/~?]*"), 2: re.compile(r"[A-Za-z0-9_/~{}?]*")}
+_CHARACTERS = {1: regex(r"[A-Za-z0-9_/~?]*"), 2: regex(r"[A-Za-z0-9_/~{}?]*")}
 #: A part of a name of which the text is empty.
-_EMPTY = re.compile(r"//+")
-_BRACES = re.compile(r"\{(?:node|ns|namespace)\}")
+_EMPTY = regex(r"//+")
+_BRACES = regex(r"\{(?:node|ns|namespace)\}")
 
 
 def check(system: System) -> Iterator[Finding]:

@@ -6,11 +6,11 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from haros_ci.api import Check, Finding, Level, Location, System
+from haros_ci.api import Check, Finding, Level, Location, System, regex
 from haros_ci.api.launch import ArgumentDeclaration, PathUse, included_by
 
 #: Files that must not be installed with a package, where everybody reads them: keys, certificates and other credentials.
-_SECRET = re.compile(
+_SECRET = regex(
     r"\.(?:pem|key|crt|cer|der|csr|p12|pfx|jks|keystore|ppk|asc|gpg|htpasswd|token|secret|kdbx?|env)$"
     r"|(?:^|/)(?:id_(?:rsa|dsa|ecdsa|ed25519)|authorized_keys|known_hosts|\.netrc|\.pgpass)(?:\.pub)?$"
     r"|/\.(?:ssh|gnupg|aws|kube)/"
@@ -21,9 +21,9 @@ _WHY = {"home": "lies in a user's home directory", "absolute": "is an absolute p
 
 
 #: An instruction of a Dockerfile that makes a directory, with its lines; and absolute paths in it.
-_MAKES = re.compile(r"^[ \t]*(WORKDIR|VOLUME|COPY|ADD|RUN)\b((?:[^\n]*\\[ \t]*\n)*[^\n]*)", re.I | re.M)
-_MADE = re.compile(r"\b(?:mkdir|git\s+clone)\b([^&;|\n]*)")
-_ABSOLUTE = re.compile(r"(?<![\w./$}:-])/[\w.-]+(?:/[\w.-]+)*")
+_MAKES = regex(r"^[ \t]*(WORKDIR|VOLUME|COPY|ADD|RUN)\b((?:[^\n]*\\[ \t]*\n)*[^\n]*)", re.I | re.M)
+_MADE = regex(r"\b(?:mkdir|git\s+clone)\b([^&;|\n]*)")
+_ABSOLUTE = regex(r"(?<![\w./$}:-])/[\w.-]+(?:/[\w.-]+)*")
 _MAX_TEXT = 200_000
 #: Arguments with paths of which others may be made, in one launch.
 _MAX_ORIGINS = 100

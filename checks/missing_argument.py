@@ -3,10 +3,9 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 
-from haros_ci.api import Check, Finding, Level, Location, Project, syntax
+from haros_ci.api import Check, Finding, Level, Location, Project, regex, syntax
 from haros_ci.api.code import (
     Call,
     Codebase,
@@ -74,8 +73,8 @@ _NODES = frozenset(
 )
 #: Types of Python, which rclpy takes for no message.
 _BUILT_IN = frozenset(("bool", "bytes", "dict", "float", "int", "list", "object", "str"))
-_MODULE = re.compile(r"(?:[a-z_0-9]+\.)+")
-_TYPE = re.compile(r"[a-z]\w*\.(?:msg|srv)\.\w+")
+_MODULE = regex(r"(?:[a-z_0-9]+\.)+")
+_TYPE = regex(r"[a-z]\w*\.(?:msg|srv)\.\w+")
 #: The keywords that launch_ros had for the same before Foxy; deprecated-launch-keyword tells of them.
 _OLD = ("node_name", "node_namespace", "node_executable", "package_name", "node_plugin")
 

@@ -4,21 +4,20 @@
 from __future__ import annotations
 
 import posixpath
-import re
 from collections.abc import Iterator, Mapping
 
-from haros_ci.api import Check, Finding, Level, Project, ProjectPackage
+from haros_ci.api import Check, Finding, Level, Project, ProjectPackage, regex
 from haros_ci.api.launch import similar_files
 from haros_ci.api.packages import CMakeCommand, exports, is_told_of, may_appear
 
 _KINDS = ("FILES", "PROGRAMS", "DIRECTORY")
 #: Keywords that end the list of files in install() and similar commands.
-_ENDS = re.compile(
+_ENDS = regex(
     r"DESTINATION|TYPE|PATTERN|REGEX|RENAME|COMPONENT|PERMISSIONS|\w+_PERMISSIONS|CONFIGURATIONS|FILES_MATCHING|OPTIONAL"
     r"|MESSAGE_NEVER|EXCLUDE|EXCLUDE_FROM_ALL|INSTALL_TO_SHARE|INSTALL_TO_PATH|USE_SOURCE_PERMISSIONS|CONFIG_EXTRAS\w*"
 )
 #: Commands that bring or make files whose names they do not tell.
-_MAKERS = re.compile(
+_MAKERS = regex(
     r"externalproject_|fetchcontent_|catkin_download|ament_vendor|execute_process|exec_program|git_submodule|vcs|cpm|.*download"
 )
 _QUIET = frozenset(("install", "catkin_install_python", "ament_auto_package", "autoware_ament_auto_package"))

@@ -6,19 +6,19 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from haros_ci.api import Check, Finding, Level, System
+from haros_ci.api import Check, Finding, Level, System, regex
 from haros_ci.api.launch import FileUse, ParameterFileUse, included_by, meant
 from haros_ci.api.packages import is_ignored, writer_of
 
 #: Files that nodes read; of others they may be the ones who write them.
-_READ = re.compile(r"\.(ya?ml|rviz|urdf|xacro|sdf|srdf|world|launch|launch\.\w+|py|lua|perspective|stl|dae|vcg)$", re.I)
-_WRITES = re.compile(r"output|save|write|dump|record|store|cache|result|calibrat|camera_info|log", re.I)
+_READ = regex(r"\.(ya?ml|rviz|urdf|xacro|sdf|srdf|world|launch|launch\.\w+|py|lua|perspective|stl|dae|vcg)$", re.I)
+_WRITES = regex(r"output|save|write|dump|record|store|cache|result|calibrat|camera_info|log", re.I)
 #: Endings of templates that a launch file in Python may expand.
 _TEMPLATES = (".em", ".in", ".erb", ".j2", ".jinja", ".jinja2", ".mako", ".template", ".tmpl", ".tpl")
 #: An argument in a path, what stands for it, and what ends one part of a path.
 _MARK = "\0"
-_PART = re.compile(r"[\s\"'()$/]+")
-_ARGUMENT = re.compile(r"\$\((?:arg|var)[ \t]+[\w-]+[ \t]*\)")
+_PART = regex(r"[\s\"'()$/]+")
+_ARGUMENT = regex(r"\$\((?:arg|var)[ \t]+[\w-]+[ \t]*\)")
 #: A value of an environment variable stands at most so often in the name of a file.
 _VALUES = 3
 #: So many places of one finding are shown.

@@ -6,7 +6,19 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping
 
-from haros_ci.api import Check, Finding, Fix, Level, Location, Project, ProjectPackage, is_slip, listed, spelled_out
+from haros_ci.api import (
+    Check,
+    Finding,
+    Fix,
+    Level,
+    Location,
+    Project,
+    ProjectPackage,
+    is_slip,
+    listed,
+    regex,
+    spelled_out,
+)
 from haros_ci.api.packages import (
     OF_PYTHON,
     Need,
@@ -23,9 +35,9 @@ from haros_ci.api.packages import (
     word,
 )
 
-_NAME = re.compile(r"[A-Za-z][\w-]{1,100}")
+_NAME = regex(r"[A-Za-z][\w-]{1,100}")
 #: Files that bring sources of other repositories into the workspace.
-_SOURCES = re.compile(r"\.(?:repos|rosinstall)$|(?:^|/)\.gitmodules$")
+_SOURCES = regex(r"\.(?:repos|rosinstall)$|(?:^|/)\.gitmodules$")
 #: The most names of one package for which a correction is searched, and the most needs that are compared with them.
 MAX_UNKNOWN = 100
 MAX_NEEDS = 2_000

@@ -6,16 +6,16 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from haros_ci.api import Check, Finding, Level, Project, syntax
+from haros_ci.api import Check, Finding, Level, Project, regex, syntax
 from haros_ci.api.code import Call, Callback, Codebase, Routine, alone, call_place, callbacks, calls_of, dotted
 
 #: Whatever may call callbacks: a text that has one of these words is not looked at.
-SPINS = re.compile(
+SPINS = regex(
     r"spin|[eE]xecutor|callAvailable|callOne|CallbackQueue|[wW]ait_?[sS]et|waitForShutdown|waitForMessage|wait_for_message|asyncio|"
     r"rqt|rviz|gazebo|container|BasicNavigator|_main\b|run_node|Application"
 )
 #: What main may hand its node to, besides.
-STARTS = re.compile(r"\b(run|exec|start|loop|join|Run|Start|Loop|Exec)\w*\s*\(")
+STARTS = regex(r"\b(run|exec|start|loop|join|Run|Start|Loop|Exec)\w*\s*\(")
 INITS = {"rclcpp::init": 2, "ros::init": 1, "rclpy.init": 2}
 SPINNING = ("spin", "spin_once", "spin_until_future_complete")
 KINDS = frozenset(("subscription", "timer", "service"))

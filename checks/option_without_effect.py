@@ -6,10 +6,10 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from haros_ci.api import Check, Finding, Level, Project
+from haros_ci.api import Check, Finding, Level, Project, regex
 from haros_ci.api.packages import CMakeCommand
 
-_UNSET = re.compile(r"\bunset\s*\(|\bCACHE\b", re.IGNORECASE)
+_UNSET = regex(r"\bunset\s*\(|\bCACHE\b", re.IGNORECASE)
 _TRUE = frozenset(("ON", "TRUE", "YES", "Y", "1"))
 
 

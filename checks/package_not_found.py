@@ -6,11 +6,11 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator
 
-from haros_ci.api import Check, Finding, Fix, Level, Location, Project, ProjectPackage
+from haros_ci.api import Check, Finding, Fix, Level, Location, Project, ProjectPackage, regex
 from haros_ci.api.packages import EXPORTED, CMakeCommand, brings, dependency_tags, insert_line, needs
 
 #: Commands that may find packages besides find_package(), and those of such names that do not.
-_FINDING = re.compile(r"find|depend|package|auto|catkin_simple|import|require|setup|common")
+_FINDING = regex(r"find|depend|package|auto|catkin_simple|import|require|setup|common")
 _TAME = frozenset(
     (
         *("find_package", "find_library", "find_path", "find_program", "find_file", "add_dependencies", "project"),
@@ -33,10 +33,10 @@ _MACROS = {
 #: What manifests name for the run of code, and whose own CMake finds no generator.
 _RUNTIME = frozenset(("message_runtime", "genpy", "rosbuild"))
 _SCOPES = frozenset(("PUBLIC", "PRIVATE", "INTERFACE", "SYSTEM"))
-_TARGET = re.compile(r"([a-z]\w*)::\w+")
-_GENERATED = re.compile(r"(\w+)/(?:msg|srv|action)/\w+\.hp?p?")
+_TARGET = regex(r"([a-z]\w*)::\w+")
+_GENERATED = regex(r"(\w+)/(?:msg|srv|action)/\w+\.hp?p?")
 #: Such a header that lies in the workspace as a file: some include path may lead to it.
-_CHECKED_IN = re.compile(rf"(?:.*/)?({_GENERATED.pattern})")
+_CHECKED_IN = regex(rf"(?:.*/)?({_GENERATED.pattern})")
 #: Packages whose headers have a directory of their own since Humble: include/rclcpp/rclcpp/rclcpp.hpp.
 _CLIENTS = frozenset(("rclcpp", "rclcpp_action", "rclcpp_components", "rclcpp_lifecycle", "tf2", "tf2_ros"))
 

@@ -3,14 +3,13 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from itertools import combinations
 
-from haros_ci.api import NO_SYSTEMS, Check, End, Finding, Level, System, line_of
+from haros_ci.api import NO_SYSTEMS, Check, End, Finding, Level, System, line_of, regex
 
-_CLASS = re.compile(r"class[ \t]+(\w+)[ \t]*\(([^)\n]*)\)")
-_NODE = re.compile(r"\b(?:Lifecycle)?Node\b")
+_CLASS = regex(r"class[ \t]+(\w+)[ \t]*\(([^)\n]*)\)")
+_NODE = regex(r"\b(?:Lifecycle)?Node\b")
 
 
 def check(system: System) -> Iterator[Finding]:

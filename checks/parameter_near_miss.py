@@ -6,14 +6,12 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping
 
-from haros_ci.api import Check, End, Finding, Level, Location, Parameter, System, SystemNode, is_moved, is_slip
+from haros_ci.api import Check, End, Finding, Level, Location, Parameter, System, SystemNode, is_moved, is_slip, regex
 
 #: Names that a message lists.
 _SHOWN = 5
 #: What gets the namespace of a node or handle in C++, and a variable that takes it.
-_NAMESPACE = re.compile(
-    r"(?:\b(\w+)\s*(?:=|\{|\()[^;={}\n]{0,200})?\bgetNamespace\s*\(\s*\)(\s*\.\s*(?:substr|erase)\b)?"
-)
+_NAMESPACE = regex(r"(?:\b(\w+)\s*(?:=|\{|\()[^;={}\n]{0,200})?\bgetNamespace\s*\(\s*\)(\s*\.\s*(?:substr|erase)\b)?")
 
 
 def check(system: System) -> Iterator[Finding]:

@@ -6,17 +6,17 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from haros_ci.api import Check, End, Finding, Level, System, SystemNode, near, spelled_out
+from haros_ci.api import Check, End, Finding, Level, System, SystemNode, near, regex, spelled_out
 
 #: ``if (!node.getParam("x", x)) {`` …, and what ends the program in there. Of the text behind the call so much is looked at.
-_FAILS = re.compile(
+_FAILS = regex(
     r"\s*if\s*\(\s*(?:!\s*|false\s*==\s*)[\w.>\-()]{0,80}?(?:getParam|param::get)\s*\((?:[^;{}&]|&(?!&)){0,200}?\)\s*(?:==\s*false\s*)?\)\s*\{?"
 )
-_ENDS = re.compile(
+_ENDS = regex(
     r"\bexit\s*\(|\bthrow\b|\bros::(?:requestS|s)hutdown\s*\(|\bROS_BREAK\b|\breturn\s+(?:-\s*1|1|EXIT_FAILURE)\s*;|\babort\s*\("
 )
 #: A read of another parameter.
-_READS = re.compile(r"\b(?:getParam(?:Cached)?|param::\w+|param)\s*(?:<[^<>;]{0,80}>\s*)?\(")
+_READS = regex(r"\b(?:getParam(?:Cached)?|param::\w+|param)\s*(?:<[^<>;]{0,80}>\s*)?\(")
 _MAX_TEXT = 1_000
 #: Files with commands that set parameters: documentation and scripts.
 _PAGES = (".md", ".rst", ".txt", ".sh", ".bash", ".yml")

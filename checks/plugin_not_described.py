@@ -6,12 +6,12 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage
+from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage, regex
 from haros_ci.api.packages import Registration, exported_under, registrations
 
 #: The macros of pluginlib: what class_loader's own register may be loaded without a description.
 _MACRO = "PLUGINLIB_"
-_TEST = re.compile(r"(?:^|[/_])(?:tests?|mocks?|dummy|examples?)(?:[/_.]|$)")
+_TEST = regex(r"(?:^|[/_])(?:tests?|mocks?|dummy|examples?)(?:[/_.]|$)")
 #: Where a description may stand, or be made of.
 _TEXTS = (".xml", ".in", ".em", ".jinja", ".cmake", ".txt")
 

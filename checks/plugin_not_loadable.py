@@ -6,9 +6,9 @@ from __future__ import annotations
 import posixpath
 import re
 from collections.abc import Container, Iterator, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 
-from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage, listed
+from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage, dataclass, field, listed, regex
 from haros_ci.api.packages import (
     MACROS,
     PluginClass,
@@ -33,7 +33,7 @@ from haros_ci.api.packages import (
 _COMPONENT = "rclcpp_components::NodeFactory"
 _ROOTS = ("library", "class_libraries")
 MAX_LEFT_OVER = 50  # descriptions of one package that are looked for in all files
-_TEST = re.compile(r"(?:^|/)(?:tests?|examples?|templates?)(?:/|$)")
+_TEST = regex(r"(?:^|/)(?:tests?|examples?|templates?)(?:/|$)")
 
 
 @dataclass(slots=True)

@@ -7,7 +7,7 @@ import re
 from collections.abc import Iterator
 from itertools import takewhile
 
-from haros_ci.api import Check, Decidability, Finding, Level, Location, Project, syntax
+from haros_ci.api import Check, Decidability, Finding, Level, Location, Project, regex, syntax
 from haros_ci.api.code import Codebase, Routine, called, dotted, is_dead, type_name
 from haros_ci.api.syntax import everything
 
@@ -35,10 +35,10 @@ AT_ONCE = frozenset(
         "range", "float", "int", "sin", "cos", "push_back", "append", "isShuttingDown", "seconds", "move",
     )
 )  # fmt: skip
-_LOGS = re.compile(r"(?:ROS|RCLCPP)_(?:DEBUG|INFO|WARN|ERROR)\w{0,40}")
+_LOGS = regex(r"(?:ROS|RCLCPP)_(?:DEBUG|INFO|WARN|ERROR)\w{0,40}")
 #: What makes a message: ``std_msgs::msg::String()``, ``Twist()``.
-_MESSAGES = re.compile(r"\w{1,80}(?:::msg)?(?:::|\.)(?:msg\.)?[A-Z]\w{0,80}")
-_YIELD = re.compile(r"^[^#'\"]*\byield\b")
+_MESSAGES = regex(r"\w{1,80}(?:::msg)?(?:::|\.)(?:msg\.)?[A-Z]\w{0,80}")
+_YIELD = regex(r"^[^#'\"]*\byield\b")
 #: Lines of a loop that are looked at.
 _LONGEST = 200
 #: Classes of publishers, and the calls that make them in Python.

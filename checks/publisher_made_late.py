@@ -4,14 +4,13 @@
 from __future__ import annotations
 
 import builtins
-import re
 from collections.abc import Iterator
 
-from haros_ci.api import Check, Finding, Level, Project, syntax
+from haros_ci.api import Check, Finding, Level, Project, regex, syntax
 from haros_ci.api.code import Call, Codebase, Routine, call_place, callees, dotted, is_node, late, reached, type_name
 
 #: What gives subscribers time to connect, or asks whether they have.
-WAITS = re.compile(r"sleep|wait|spin|[gG]etNumSubscribers|get_num_connections|get_subscription_count|on_activate|latch")
+WAITS = regex(r"sleep|wait|spin|[gG]etNumSubscribers|get_num_connections|get_subscription_count|on_activate|latch")
 #: Calls of MoveIt's commanders that return when the robot has moved.
 MOVES = frozenset(("go", "execute", "pick", "place"))
 #: How far functions are followed that are called before the first message.

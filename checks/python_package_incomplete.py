@@ -6,19 +6,19 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from haros_ci.api import Check, Edit, Finding, Fix, Level, Location, Project, ProjectPackage, is_slip
+from haros_ci.api import Check, Edit, Finding, Fix, Level, Location, Project, ProjectPackage, is_slip, regex
 from haros_ci.api.launch import ProgramUse
 from haros_ci.api.packages import EntryPoint, entry_point_mistake, lost_imports, renamed_module
 
 _MARKERS = "share/ament_index/resource_index/packages"
-_NODE = re.compile(r"\brclpy\.(?:init|spin\w*|create_node)\(|\((?:\w+\.)*(?:Lifecycle)?Node\)\s*:")
+_NODE = regex(r"\brclpy\.(?:init|spin\w*|create_node)\(|\((?:\w+\.)*(?:Lifecycle)?Node\)\s*:")
 #: What sets the directory of programs in setup.py: an attribute or option, or a command class of the project's own.
-_SETS = re.compile(r"[.'\"](?:install_scripts|script_dir)\b")
-_COMMANDS = re.compile(
+_SETS = regex(r"[.'\"](?:install_scripts|script_dir)\b")
+_COMMANDS = regex(
     r"[\"'](?:install|develop|install_scripts|easy_install)[\"']\s*[:\]]|\b(?:install|develop|install_scripts)\s*="
 )
-_COMPUTED = re.compile(r"\bcmdclass\s*=(?!=)\s*(?!\{|dict\b)")
-_REMARKS = re.compile(r"#[^\n]*|\"\"\".{0,20000}?\"\"\"|'''.{0,20000}?'''", re.DOTALL)
+_COMPUTED = regex(r"\bcmdclass\s*=(?!=)\s*(?!\{|dict\b)")
+_REMARKS = regex(r"#[^\n]*|\"\"\".{0,20000}?\"\"\"|'''.{0,20000}?'''", re.DOTALL)
 _SECTIONS = {"develop": "script_dir", "install": "install_scripts"}
 
 

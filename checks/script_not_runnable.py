@@ -5,9 +5,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 
-from haros_ci.api import Check, Edit, Finding, Fix, Level, Location, Project, ProjectPackage, listed
+from haros_ci.api import Check, Edit, Finding, Fix, Level, Location, Project, ProjectPackage, dataclass, listed, regex
 from haros_ci.api.code import parsed
 from haros_ci.api.launch import ProgramUse
 from haros_ci.api.packages import (
@@ -24,7 +23,7 @@ from haros_ci.api.packages import (
     rospy_programs,
 )
 
-_PYTHON = re.compile(r"#![ \t]*(?:/usr(?:/local)?/bin/env[ \t]+|/usr/bin/)(python)(2[\d.]*)?[ \t]*\r?\Z")
+_PYTHON = regex(r"#![ \t]*(?:/usr(?:/local)?/bin/env[ \t]+|/usr/bin/)(python)(2[\d.]*)?[ \t]*\r?\Z")
 _SHELL = (".sh", ".bash")
 #: Why the bit counts, of one script and of several.
 _DEVEL = (
@@ -45,10 +44,10 @@ _RUN_BY_BUILD = tuple(
 #: So many scripts without their bits show how a workspace is built.
 _FEW = 2
 #: Files that describe the build for people and machines, and the options with which the execute bit of the source counts.
-_TELLING = re.compile(
+_TELLING = regex(
     r"\.(?:md|rst|txt|sh|bash|zsh|ya?ml|json|toml|py|mk|meta|repos)$|(?:^|/)[^/.]*$|dockerfile|containerfile", re.I
 )
-_LINKING = re.compile(r"symlink[-_]install")
+_LINKING = regex(r"symlink[-_]install")
 
 
 @dataclass(frozen=True, slots=True)

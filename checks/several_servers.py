@@ -7,7 +7,20 @@ import re
 from collections.abc import Iterator
 from weakref import WeakKeyDictionary
 
-from haros_ci.api import Channel, Check, End, Finding, Level, System, SystemNode, Whole, can_meet, named_at, way_to
+from haros_ci.api import (
+    Channel,
+    Check,
+    End,
+    Finding,
+    Level,
+    System,
+    SystemNode,
+    Whole,
+    can_meet,
+    named_at,
+    regex,
+    way_to,
+)
 
 #: Code of programs.
 CODE = (".cpp", ".hpp", ".cc", ".cxx", ".h", ".hh", ".hxx", ".ipp", ".py")
@@ -16,19 +29,19 @@ _OF_LIBRARIES = frozenset(
     ("tf2_msgs/FrameGraph", "tf2_msgs/srv/FrameGraph", "roscpp/GetLoggers", "roscpp/SetLoggerLevel", "roscpp/Empty")
 )
 #: How servers are ended in rclpy, with what is given.
-_DESTROYED = re.compile(r"\bdestroy_service\s*\(\s*([\w.]{0,80})\s{0,9}(\[?)")
+_DESTROYED = regex(r"\bdestroy_service\s*\(\s*([\w.]{0,80})\s{0,9}(\[?)")
 #: A request of which a handler looks whom it is for: ``if request.drone_id != self.id``.
-_ADDRESSED = re.compile(
+_ADDRESSED = regex(
     r"\b(?:if|switch)\b[^\n]{0,80}?\b(?:req|goal)\w{0,20}(?:\.|->)(?:goal(?:\.|->))?\w{0,40}(?:id|name|robot|target|namespace|agent|vehicle|drone|joint)s?\b",
     re.IGNORECASE,
 )
 #: What makes an action server of ROS 1 that does not start by itself (wiki.ros.org/actionlib, auto_start), and what starts one.
-_WAITING = re.compile(r",\s*(?:auto_start\s*=\s*)?(?:false|False)\s*[)}]")
-_STARTED = re.compile(r"\b(\w+)\s{0,9}(?:\.|->)\s{0,9}start\s{0,9}\(")
+_WAITING = regex(r",\s*(?:auto_start\s*=\s*)?(?:false|False)\s*[)}]")
+_STARTED = regex(r"\b(\w+)\s{0,9}(?:\.|->)\s{0,9}start\s{0,9}\(")
 #: Lines of a call.
 _LINES = 4
 #: What a call is assigned to, before it.
-_KEPT = re.compile(r"([A-Za-z_][\w.]{0,80})\s{0,9}(?::[^=\n]{0,80})?=(?!=)\s{0,80}\Z")
+_KEPT = regex(r"([A-Za-z_][\w.]{0,80})\s{0,9}(?::[^=\n]{0,80})?=(?!=)\s{0,80}\Z")
 #: Two nodes, and what both offer: the channel with the server of each.
 _Pairs = dict[tuple[str, str], list[tuple[Channel, End, End]]]
 

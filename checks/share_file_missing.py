@@ -6,9 +6,8 @@ from __future__ import annotations
 import posixpath
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 
-from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage
+from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage, dataclass, regex
 from haros_ci.api.code import weighed
 from haros_ci.api.launch import similar_files
 from haros_ci.api.packages import landings, may_appear
@@ -18,22 +17,22 @@ _DIRECTORY = (
     r"(?:(?:\w+(?:::|\.))*(?:get_package_share_directory|get_package_share_path|getPath)|(?:\w+\.RosPack\(\)|\w*rospack\w*)\.get_path)"
     r"\(\s*[\"'](\w+)[\"']\s*(?:,\s*)?\)"
 )
-_ASSIGNED = re.compile(
+_ASSIGNED = regex(
     rf"(?m)^[ \t]*(?:(?:const[ \t]+)?(?:(?:std::)?string|auto)[ \t]+)?((?:self\.)?\w+)[ \t]*=[ \t]*(?:Path\()?{_DIRECTORY}\)?[ \t]*(?:;[ \t]*)?$"
 )
 _LITERALS = r"((?:\s*,\s*[\"'][^\"'\n{}%]+[\"'])+)\s*(?:,\s*)?\)"
 _ADDED = r"\s*\+\s*(?:std::string\()?[\"']/([^\"'\n{}%]+)[\"']\)?(?!\s*(?:\+|%|\.format))"
 _SLASHED = r"((?:\s*/\s*[\"'][^\"'\n{}%]+[\"'])+)(?!\s*(?:/|\+))"
 #: Files that somebody wrote by hand, which nodes read.
-_READ = re.compile(r"\.(?:ya?ml|json|csv|urdf|xacro|sdf|srdf|rviz|xml|world|pgm)$")
+_READ = regex(r"\.(?:ya?ml|json|csv|urdf|xacro|sdf|srdf|rviz|xml|world|pgm)$")
 #: Code that may make the file, or asks whether it is there.
-_MAKES = re.compile(
+_MAKES = regex(
     r"[\"'][wa]b?\+?[\"']|ofstream|\bdump\(|\.write\(|write_text|to_csv|savetxt|imwrite|makedirs|mkdir|create_director|exists\(|is_?file\(|"
     r"isdir\(|touch\(|saveMap|save_|writeFile"
 )
 #: A line that says what is used where nothing else is given.
-_DEFAULT = re.compile(r"default|param|declare|argument", re.IGNORECASE)
-_ASIDE = re.compile(r"(?:^|[/_])(?:tests?|launch|examples?|deprecated|old)(?:[/_.]|$)")
+_DEFAULT = regex(r"default|param|declare|argument", re.IGNORECASE)
+_ASIDE = regex(r"(?:^|[/_])(?:tests?|launch|examples?|deprecated|old)(?:[/_.]|$)")
 #: Commands of CMake that make no file.
 _QUIET = ("install", "find_package", "project", "add_executable", "add_library", "target_link_libraries")
 

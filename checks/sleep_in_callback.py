@@ -6,7 +6,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from haros_ci.api import Check, Decidability, Finding, Level, Project, syntax
+from haros_ci.api import Check, Decidability, Finding, Level, Project, regex, syntax
 from haros_ci.api.code import (
     Call,
     Callback,
@@ -38,20 +38,20 @@ LOSING = (
     *("createTimer", "createWallTimer", "createSteadyTimer", "Timer", "registerCallback", "TransformListener"),
 )
 #: Words of failures, and of calls that begin again after one.
-FAILURE = re.compile(r"fail|err(?:or|no)?(?:$|[_A-Z])|invalid|timed?_?out", re.IGNORECASE)
-AGAIN = re.compile(
+FAILURE = regex(r"fail|err(?:or|no)?(?:$|[_A-Z])|invalid|timed?_?out", re.IGNORECASE)
+AGAIN = regex(
     r"^(?:re_?)?(?:init\w*|connect\w*|open\w*|start\w*|set_?up\w*|reset\w*)$|^re(?:connect|open|start|try|boot)",
     re.IGNORECASE,
 )
 #: Names of services that bring hardware up, and of flags that say whether it has been.
-INITIAL = re.compile(r"(?:^|[_/]|(?<=[a-z]))[iI]nit(?:iali[sz](?:e|ation))?(?:$|[_/A-Z])")
-INITIALISED = re.compile(r"initiali[sz]ed|is_?init(?:ed)?(?:$|_)", re.IGNORECASE)
+INITIAL = regex(r"(?:^|[_/]|(?<=[a-z]))[iI]nit(?:iali[sz](?:e|ation))?(?:$|[_/A-Z])")
+INITIALISED = regex(r"initiali[sz]ed|is_?init(?:ed)?(?:$|_)", re.IGNORECASE)
 #: Sleeps shorter than this many seconds hold nobody up.
 SHORT = 0.02
 #: Sleeps shorter than this are a note: of a pause of a few cycles messages are seldom lost.
 BRIEF = 0.1
 #: Programs that nobody runs on a robot that moves: what brings it up or down, sets it up, and works offline.
-TOOLS = re.compile(
+TOOLS = regex(
     r"(?:^|[_/])(?:bring_?up|lifecycle_manager|calibrat\w*|offline|map_saver|merge\w*|replay\w*|record\w*|convert\w*|tools?|demos?|examples?|tutorials?"
     r"|mocks?|fakes?|dummy|simulat\w*|benchmarks?)(?=[_/.]|$)"
 )

@@ -7,13 +7,13 @@ import posixpath
 import re
 from collections.abc import Iterator
 
-from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage
+from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage, regex
 from haros_ci.api.packages import SUFFIXES, Target, loose
 
-_ASIDE = re.compile(
+_ASIDE = regex(
     r"(?:^|[/_-])(?:tests?|gtest|testing|examples?|demos?|samples?|benchmarks?|old|deprecated|unused|backup|windows|win32)(?:$|[/_.-])"
 )
-_COMMENT = re.compile(r"//[^\n]*|/\*.*?(?:\*/|\Z)", re.DOTALL)
+_COMMENT = regex(r"//[^\n]*|/\*.*?(?:\*/|\Z)", re.DOTALL)
 #: The classes of one package that are looked for, and the largest file.
 MAX_CLASSES, MAX_TEXT = 200, 500_000
 

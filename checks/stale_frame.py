@@ -5,24 +5,23 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from difflib import SequenceMatcher
 
-from haros_ci.api import Check, Finding, Level, Location, Project
+from haros_ci.api import Check, Finding, Level, Location, Project, dataclass, regex
 from haros_ci.api.robots import broadcasts
 
 #: Frames that nodes of other packages broadcast: localization, mapping, odometry.
 COMMON = frozenset({"map", "odom", "world", "earth"})
 #: Parameters that hold the name of a frame.
-_PARAMETER = re.compile(r"(?:^|[_./:])(?:frame|frame_id|frameid|[a-z0-9_]+_frame|[a-z0-9_]+_frame_id)$")
-_YAML = re.compile(r"^\s*(?:- )?[\"']?([\w./]*frame\w*)[\"']?:\s*[\"']?/?([\w/]+)[\"']?\s*(?:#.*)?$")
-_RVIZ = re.compile(r"^\s*(?:Fixed|Target|Reference) Frame: [\"']?/?([\w/]+)[\"']?\s*$")
+_PARAMETER = regex(r"(?:^|[_./:])(?:frame|frame_id|frameid|[a-z0-9_]+_frame|[a-z0-9_]+_frame_id)$")
+_YAML = regex(r"^\s*(?:- )?[\"']?([\w./]*frame\w*)[\"']?:\s*[\"']?/?([\w/]+)[\"']?\s*(?:#.*)?$")
+_RVIZ = regex(r"^\s*(?:Fixed|Target|Reference) Frame: [\"']?/?([\w/]+)[\"']?\s*$")
 #: A statement of code that takes a frame by its name: a look-up, or a message's header.
-_CODE = re.compile(r"frame|[tT]ransform")
-_DEFAULT = re.compile(r"param|declare|default|argument|getenv", re.IGNORECASE)
-_TEXT = re.compile(r"[\"']/?([A-Za-z]\w*(?:/\w+)*)[\"']")
-_LINK = re.compile(r"<(?:link|frame)\s[^>]*?name\s*=\s*[\"']([^\"']+)[\"']|child_frame_id\b[^\n]*?[\"']/?(\w+)[\"']")
-_TEST = re.compile(r"(^|/)tests?/|(^|/)(test_[^/]*|[^/]*_test)\.\w+$")
+_CODE = regex(r"frame|[tT]ransform")
+_DEFAULT = regex(r"param|declare|default|argument|getenv", re.IGNORECASE)
+_TEXT = regex(r"[\"']/?([A-Za-z]\w*(?:/\w+)*)[\"']")
+_LINK = regex(r"<(?:link|frame)\s[^>]*?name\s*=\s*[\"']([^\"']+)[\"']|child_frame_id\b[^\n]*?[\"']/?(\w+)[\"']")
+_TEST = regex(r"(^|/)tests?/|(^|/)(test_[^/]*|[^/]*_test)\.\w+$")
 #: What no robot is made of.
 _SOURCES = frozenset((".cpp", ".cc", ".cxx", ".hpp", ".h", ".msg", ".srv", ".action", ".md", ".txt"))
 _MODELS = (".xacro", ".urdf", ".sdf", ".xml", ".cpp", ".py", ".hpp", ".h", ".cc")

@@ -6,7 +6,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from haros_ci.api import Check, Finding, Level, Project, syntax
+from haros_ci.api import Check, Finding, Level, Project, regex, syntax
 from haros_ci.api.code import Call, Codebase, Routine, call_place, called, calls_of, is_node, own_method
 
 #: What they are made by, and what that makes.
@@ -23,11 +23,11 @@ MADE = {
     "createSteadyTimer": "timer",
 }
 #: Calls that keep a function running while callbacks are called elsewhere.
-STAYS = re.compile(
+STAYS = regex(
     r"\b(\w*(spin|sleep|wait|run|exec|join|call\w*Available|getNumPublishers|get)\w*)\s*\(|\b(while|for|do)\b|\bgoto\b"
 )
 #: ``get()`` of a smart pointer returns at once; that of a future waits for the callback.
-_POINTER = re.compile(r"(?<!future)(?<!Future)(?<!future_)(?<!result)\.get\(\)")
+_POINTER = regex(r"(?<!future)(?<!Future)(?<!future_)(?<!result)\.get\(\)")
 
 
 def check(project: Project) -> Iterator[Finding]:

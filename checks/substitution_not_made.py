@@ -3,17 +3,15 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 
-from haros_ci.api import Check, Finding, Level, Location, Parameter, Project
+from haros_ci.api import Check, Finding, Level, Location, Parameter, Project, dataclass, regex
 from haros_ci.api.packages import Element
 
 #: By ROS. A command of the shell begins alike (``$(find . -name x)``, ``$(env -i x)``), and so do things to be filled in (``$(NAME)``).
 _WRITTEN = {
-    1: re.compile(r"\$\((?:(?:arg|find|anon) +\w+|(?:env|optenv) +\w+(?: +[\w./:-]+)?|dirname)\)"),
-    2: re.compile(r"\$\((?:(?:var|find-pkg-share|find-pkg-prefix|env|anon) +[\w-]+(?: +[\w./:'\"-]+)?|dirname)\)"),
+    1: regex(r"\$\((?:(?:arg|find|anon) +\w+|(?:env|optenv) +\w+(?: +[\w./:-]+)?|dirname)\)"),
+    2: regex(r"\$\((?:(?:var|find-pkg-share|find-pkg-prefix|env|anon) +[\w-]+(?: +[\w./:'\"-]+)?|dirname)\)"),
 }
 #: Code that makes the substitutions itself.
 _OWN = (

@@ -6,7 +6,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping, Sequence
 
-from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage, listed
+from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage, listed, regex
 from haros_ci.api.packages import (
     COUNTERPARTS,
     Need,
@@ -40,24 +40,22 @@ _TOOLS = (
     "eigen3_cmake_module",
 )
 #: What rosdep's keys have beside the name of the library: libnlopt-cxx-dev.
-_AFFIXES = re.compile(r"^lib|-(?:dev|devel|cxx|cpp|all|vendor)\b|(?:-?\d[\d.]*)$|-dev\b")
+_AFFIXES = regex(r"^lib|-(?:dev|devel|cxx|cpp|all|vendor)\b|(?:-?\d[\d.]*)$|-dev\b")
 _GENERATORS = ("rosidl_default_generators", "message_generation")
 _SHOWN = 3
 #: The core of ROS, whose headers are named otherwise.
 _CORE = frozenset(
     ("roscpp", "rclcpp", "roslib", "rosconsole", "rostime", "roscpp_traits", "roscpp_serialization", "cpp_common")
 )
-_INCLUDE = re.compile(r"^[ \t]*#[ \t]*include[ \t]*[<\"]([^<>\"\n]{1,200})[>\"]", re.MULTILINE)
-_DEFINED = re.compile(r"^[ \t]*(?:function|macro)[ \t]*\([ \t]*(\w{1,100})", re.IGNORECASE | re.MULTILINE)
+_INCLUDE = regex(r"^[ \t]*#[ \t]*include[ \t]*[<\"]([^<>\"\n]{1,200})[>\"]", re.MULTILINE)
+_DEFINED = regex(r"^[ \t]*(?:function|macro)[ \t]*\([ \t]*(\w{1,100})", re.IGNORECASE | re.MULTILINE)
 #: Commands that pass on what find_package() found; to name a package there uses nothing of it.
 _PASSING = ("ament_target_dependencies", "ament_export_dependencies")
 #: What sets ROS_DISTRO and ROS_VERSION, and a condition of CMake that reads one of them.
 _ENVIRONMENT = "ros_environment"
 #: What brings it only in distributions after Jazzy, by rosidl_default_generators.
 _LATE = frozenset(("rosidl_generator_rs",))
-_VARIABLE = re.compile(
-    r"^[ \t]*(?:else)?if[ \t]*\([^\n#]*\$ENV\{(ROS_DISTRO|ROS_VERSION)\}", re.IGNORECASE | re.MULTILINE
-)
+_VARIABLE = regex(r"^[ \t]*(?:else)?if[ \t]*\([^\n#]*\$ENV\{(ROS_DISTRO|ROS_VERSION)\}", re.IGNORECASE | re.MULTILINE)
 
 
 def check(project: Project) -> Iterator[Finding]:

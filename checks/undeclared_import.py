@@ -5,9 +5,22 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
-from haros_ci.api import Check, Finding, Fix, Level, Location, Project, ProjectPackage, line_of, listed, spelled_out
+from haros_ci.api import (
+    Check,
+    Finding,
+    Fix,
+    Level,
+    Location,
+    Project,
+    ProjectPackage,
+    dataclass,
+    line_of,
+    listed,
+    regex,
+    spelled_out,
+)
 from haros_ci.api.packages import (
     Need,
     Provisions,
@@ -36,8 +49,8 @@ from haros_ci.api.packages import (
 
 #: So many places of one module are related.
 _SHOWN = 3
-_PIP = re.compile(r"\bpip3?\s+install\s+([^;&|]*)")
-_KEY = re.compile(r"^python3?-|-pip$")
+_PIP = regex(r"\bpip3?\s+install\s+([^;&|]*)")
+_KEY = regex(r"^python3?-|-pip$")
 
 
 @dataclass(frozen=True, slots=True)

@@ -4,9 +4,19 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
 
-from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage, System, listed, spelled_out
+from haros_ci.api import (
+    Check,
+    Finding,
+    Level,
+    Location,
+    Project,
+    ProjectPackage,
+    System,
+    dataclass,
+    listed,
+    spelled_out,
+)
 from haros_ci.api.launch import PackageUse, included_by, is_optional, owner, said_by
 from haros_ci.api.packages import (
     Leftovers,

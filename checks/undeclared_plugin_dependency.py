@@ -5,10 +5,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Container, Iterator, Mapping
-from dataclasses import dataclass
 from functools import partial
 
-from haros_ci.api import Check, Finding, Level, Location, Project, System, listed, spelled_out
+from haros_ci.api import Check, Finding, Level, Location, Project, System, dataclass, listed, regex, spelled_out
 from haros_ci.api.launch import FileUse, PackageUse, ParameterFileUse, owner
 from haros_ci.api.packages import (
     Package,
@@ -32,14 +31,12 @@ from haros_ci.api.packages import (
 )
 
 #: Descriptions that only say how to talk to a controller, and plug-ins of tools with a window.
-_OTHER = re.compile(
-    r"moveit_ros_control_interface::ControllerHandleAllocator|(?:rviz\w*|rqt\w*|qt_gui\w*|moveit_setup)::.*"
-)
+_OTHER = regex(r"moveit_ros_control_interface::ControllerHandleAllocator|(?:rviz\w*|rqt\w*|qt_gui\w*|moveit_setup)::.*")
 #: So many places of one package are related.
 _SHOWN = 3
 #: Files of parameters for tests: who installs the package does not load them.
-_OF_TESTS = re.compile(r"(?:^|/)(?:tests?_[^/]*|[^/]*_tests?(?:_[^/]*)?\.\w+)$", re.IGNORECASE)
-_ASIDE = re.compile(r"(?:^|/)(?:tests?|examples?|doc|docs)/")
+_OF_TESTS = regex(r"(?:^|/)(?:tests?_[^/]*|[^/]*_tests?(?:_[^/]*)?\.\w+)$", re.IGNORECASE)
+_ASIDE = regex(r"(?:^|/)(?:tests?|examples?|doc|docs)/")
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,14 +9,14 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 from difflib import get_close_matches
 
-from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage
+from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage, regex
 from haros_ci.api.interfaces import InterfaceReference, InterfaceUsers, always_at, references_to
 
 GENERATE = ("rosidl_generate_interfaces", "add_message_files", "add_service_files", "add_action_files")
 ENDINGS = (".msg", ".srv", ".action", ".idl")
-_LOWER = re.compile(r"[\"<]([a-z]\w*)/([a-z][a-z0-9_]*)\.h[\">]", re.ASCII)
+_LOWER = regex(r"[\"<]([a-z]\w*)/([a-z][a-z0-9_]*)\.h[\">]", re.ASCII)
 #: What generators write once for all interfaces of a package (rosidl_generator_c, rosidl_typesupport_*).
-_OF_ALL = re.compile(r"rosidl_\w+__visibility_control\.hp?p?")
+_OF_ALL = regex(r"rosidl_\w+__visibility_control\.hp?p?")
 #: Made by dynamic_reconfigure of a .cfg.
 OF_A_CONFIG = "config"
 

@@ -4,15 +4,14 @@
 from __future__ import annotations
 
 import posixpath
-import re
 from collections.abc import Iterator
 
-from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage, syntax
+from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage, regex, syntax
 from haros_ci.api.code import calls_of, dotted
 from haros_ci.api.launch import ProgramUse, may_make_program, meant, similar_names
 
 #: What makes a node in a launch file, wherever the call stands.
-_NODES = re.compile(r"launch_ros\.actions\.(?:node\.|lifecycle_node\.)?(?:Lifecycle)?Node")
+_NODES = regex(r"launch_ros\.actions\.(?:node\.|lifecycle_node\.)?(?:Lifecycle)?Node")
 
 
 def check(project: Project) -> Iterator[Finding]:

@@ -3,15 +3,14 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 
-from haros_ci.api import Check, Decidability, Finding, Level, System
+from haros_ci.api import Check, Decidability, Finding, Level, System, regex
 from haros_ci.api.launch import PackageUse, included_by, is_optional
 from haros_ci.api.packages import knowledge, meant_here, meant_released
 
 #: What a package can be called (REP 127); anything else is to be replaced in a template.
-_NAME = re.compile(r"[A-Za-z][\w-]*\Z")
+_NAME = regex(r"[A-Za-z][\w-]*\Z")
 
 
 def check(system: System) -> Iterator[Finding]:

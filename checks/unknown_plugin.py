@@ -5,9 +5,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
-from haros_ci.api import Check, Finding, Level, Location, Project, is_slip
+from haros_ci.api import Check, Finding, Level, Location, Project, dataclass, is_slip, regex
 from haros_ci.api.packages import (
     PLUGIN_NAME,
     Build,
@@ -19,10 +19,10 @@ from haros_ci.api.packages import (
     unlisted_plugins,
 )
 
-_CREATE = re.compile(rf'\bcreate(?:Unique|Shared|Unmanaged)?Instance\s*\(\s*"({PLUGIN_NAME})"')
+_CREATE = regex(rf'\bcreate(?:Unique|Shared|Unmanaged)?Instance\s*\(\s*"({PLUGIN_NAME})"')
 
 #: Remarks on what is not written yet.
-_TO_DO = re.compile(r"(?:<!--|#|//)[^\n]*?\b(?:TODO|FIXME|XXX|PLACEHOLDER)\b", re.IGNORECASE)
+_TO_DO = regex(r"(?:<!--|#|//)[^\n]*?\b(?:TODO|FIXME|XXX|PLACEHOLDER)\b", re.IGNORECASE)
 
 
 @dataclass(slots=True)

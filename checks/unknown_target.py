@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from difflib import get_close_matches
 from functools import lru_cache
 
-from haros_ci.api import Check, Finding, Level, Project, ProjectPackage, listed
+from haros_ci.api import Check, Finding, Level, Project, ProjectPackage, listed, regex
 from haros_ci.api.packages import (
     OF_TARGETS,
     CMakeCommand,
@@ -19,7 +19,7 @@ from haros_ci.api.packages import (
 )
 
 #: Targets that CMake, catkin and rosidl make by themselves.
-_GIVEN = re.compile(
+_GIVEN = regex(
     r".*__\w+|.*_(?:generate_messages|gencpp|genpy|geneus|genlisp|gennodejs|gencfg|EXPORTED_TARGETS)\w*"
     r"|all|clean|install|test|tests|run_tests|doxygen|uninstall|rebuild_cache|.*(?:::|\$|/).*|-.*|"
 )

@@ -7,33 +7,33 @@ import re
 from collections.abc import Iterator
 from difflib import get_close_matches
 
-from haros_ci.api import Check, Finding, Level, Location, System, listed, spelled_out
+from haros_ci.api import Check, Finding, Level, Location, System, listed, regex, spelled_out
 from haros_ci.api.launch import ArgumentDeclaration, IncludeUse, PassedArgument, included_by, meant, owner
 
 #: A declaration is this many lines long at most.
 LINES = 12
-_NEXT = re.compile(
+_NEXT = regex(
     r"Declare\w{0,40}Launch\w{0,40}Arg|<arg\b|<include\b|<node\b|<!--|^[ \t]*- \w+:|^[ \t]*\w+ = |^[ \t]*\w+\(", re.M
 )
 #: So many files make a family, whose names begin alike.
 _MANY = 3
-_FAMILY = re.compile(r"[A-Za-z0-9]+[_-]")
-_COMMENT = re.compile(r"\s*(?:#|<!--.*-->\s*$)")
-_KEPT = re.compile(
+_FAMILY = regex(r"[A-Za-z0-9]+[_-]")
+_COMMENT = regex(r"\s*(?:#|<!--.*-->\s*$)")
+_KEPT = regex(
     r"compat(?:ib|\b)|\bdeprecated\b|\blegacy\b|\bobsolete\b|\b(?:is|are|currently|now) (?:ignored|unused)\b|\bno longer\b|\bnot (?:\w+ )?used\b"
     r"|\bunused\b(?!-)|\b(?:has no effect|does nothing|(?:has|have) been left here)\b|\bbreaking downstream\b|\breserved\b|\bplaceholder\b",
     re.I,
 )
 #: Comments by which something that is not seen needs the argument; the first do so below it, too.
-_NOT_TO_GO = re.compile(r"\b(?:do not|don't|never|must not be) (?:delete|remove|deleted|removed)\b", re.I)
-_NEEDED = re.compile(
+_NOT_TO_GO = regex(r"\b(?:do not|don't|never|must not be) (?:delete|remove|deleted|removed)\b", re.I)
+_NEEDED = regex(
     rf"{_NOT_TO_GO.pattern}|\b(?:required|needed|used|expected|read) (?:by|for)\b|\bkept (?:for|as|because)\b|\bkeep\b",
     re.I,
 )
-_NOTE = re.compile(r"<!--((?s:.*?))-->|#(.*)")
+_NOTE = regex(r"<!--((?s:.*?))-->|#(.*)")
 #: What a launch file reads and declares, and how near two names are.
-_READ = re.compile(r"""\$\((?:arg|var)\s+([\w-]+)\s*\)|\bLaunchConfiguration\(\s*["']([\w-]+)["']""")
-_DECLARED = re.compile(
+_READ = regex(r"""\$\((?:arg|var)\s+([\w-]+)\s*\)|\bLaunchConfiguration\(\s*["']([\w-]+)["']""")
+_DECLARED = regex(
     r"""<(?:arg|let)\b[^<>]{0,200}?\bname\s*=\s*["']([\w-]+)["']|\b(?:DeclareLaunchArgument|SetLaunchConfiguration)\(\s*(?:name\s*=\s*)?["']([\w-]+)["']"""
 )
 _NEAR = 0.85
@@ -43,8 +43,8 @@ _CLOCK = "use_sim_time"
 _SHOWN = 3
 #: So many arguments of one include are named.
 _NAMED = 5
-_TAG = re.compile(r"<arg\b(?:[^<>\"']|\"[^\"]*\"|'[^']*'){0,400}>")
-_VALUES = re.compile(r"\"[^\"]*\"|'[^']*'")
+_TAG = regex(r"<arg\b(?:[^<>\"']|\"[^\"]*\"|'[^']*'){0,400}>")
+_VALUES = regex(r"\"[^\"]*\"|'[^']*'")
 
 
 def check(system: System) -> Iterator[Finding]:

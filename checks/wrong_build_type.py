@@ -6,7 +6,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from haros_ci.api import Check, Finding, Fix, Level, Location, Project, ProjectPackage, is_slip
+from haros_ci.api import Check, Finding, Fix, Level, Location, Project, ProjectPackage, is_slip, regex
 from haros_ci.api.packages import (
     AMENT,
     CATKIN,
@@ -24,12 +24,12 @@ from haros_ci.api.packages import (
 KNOWN = ("ament_cmake", "ament_python", "catkin", "cmake", "ament_cargo", "ament_gradle", "ament_swift")
 
 #: What tells one ROS from the other: a condition of a manifest (REP 149), a branch of CMake.
-_CONDITION = re.compile(r"\bcondition\s*=\s*[\"'][^\"'<>]{0,200}\$(?:ROS_VERSION|ROS_DISTRO)\b")
-_BRANCH = re.compile(
+_CONDITION = regex(r"\bcondition\s*=\s*[\"'][^\"'<>]{0,200}\$(?:ROS_VERSION|ROS_DISTRO)\b")
+_BRANCH = regex(
     r"^[ \t]*(?:else)?if[ \t]*\([^\n#]{0,200}(?:ROS_VERSION|CATKIN_DEVEL_PREFIX|catkin_FOUND)\b",
     re.IGNORECASE | re.MULTILINE,
 )
-_COMMENT = re.compile(r"<!--.{0,10000}?-->", re.DOTALL)
+_COMMENT = regex(r"<!--.{0,10000}?-->", re.DOTALL)
 
 
 def check(project: Project) -> Iterator[Finding]:

@@ -3,10 +3,9 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 
-from haros_ci.api import Check, Finding, Level, Project, ProjectPackage
+from haros_ci.api import Check, Finding, Level, Project, ProjectPackage, regex
 from haros_ci.api.packages import CMakeCommand, may_appear
 
 _KEYWORDS = (
@@ -21,9 +20,7 @@ _KEYWORDS = (
 #: Further words of ``install``.
 _INSTALL = ("DESTINATION", "DIRECTORY", "FILES", "FILES_MATCHING", "PATTERN", "REGEX", "PERMISSIONS", "COMPONENT", "OPTIONAL", "EXCLUDE")  # fmt: skip
 #: Where headers are installed.
-_INCLUDED = re.compile(
-    r"\$\{CATKIN_(?:PACKAGE|GLOBAL)_INCLUDE_DESTINATION\}|(?:\$\{CMAKE_INSTALL_PREFIX\}/)?include(?:/|$)"
-)
+_INCLUDED = regex(r"\$\{CATKIN_(?:PACKAGE|GLOBAL)_INCLUDE_DESTINATION\}|(?:\$\{CMAKE_INSTALL_PREFIX\}/)?include(?:/|$)")
 #: Commands that make no directory of headers.
 _QUIET = frozenset(
     ("catkin_package", "include_directories", "target_include_directories", "project", "install", "find_package", "set_target_properties")

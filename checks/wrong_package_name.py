@@ -6,7 +6,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage
+from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage, regex
 from haros_ci.api.packages import CMakeCommand
 
 #: The macros that compare the name in the manifest with that of project(), and stop.
@@ -18,11 +18,11 @@ COMPARING = (
     "rosidl_generate_interfaces",
 )
 #: What catkin_pkg reads at all.
-READABLE = re.compile(r"[a-zA-Z0-9][a-zA-Z0-9_-]*")
+READABLE = regex(r"[a-zA-Z0-9][a-zA-Z0-9_-]*")
 #: What REP 144 asks for: lower case, digits and single underscores, a letter first, two characters at least.
-PROPER = re.compile(r"[a-z][a-z0-9]*(?:_[a-z0-9]+)*_?")
+PROPER = regex(r"[a-z][a-z0-9]*(?:_[a-z0-9]+)*_?")
 #: What rosidl generates code for: no hyphen, no capital, no two underscores, none at the end.
-OF_INTERFACES = re.compile(r"[a-z][a-z0-9]*(?:_[a-z0-9]+)*")
+OF_INTERFACES = regex(r"[a-z][a-z0-9]*(?:_[a-z0-9]+)*")
 
 
 def check(project: Project) -> Iterator[Finding]:

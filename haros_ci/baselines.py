@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -16,6 +16,7 @@ from haros_ci.config.settings import Settings
 from haros_ci.errors import UserError
 from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Workspace
+from haros_ci.records import dataclass
 from haros_ci.results.result import Baseline, Notification, Result, Run
 from haros_ci.results.rule import Level
 from haros_ci.timing import stage, timed

@@ -3,15 +3,16 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from haros_ci.config.settings import Settings
 from haros_ci.model.location import Location
 from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Problem, Workspace
+from haros_ci.records import dataclass
+from haros_ci.regex import regex
 from haros_ci.results import own
 from haros_ci.results.result import BaselineState, Notification, Result, Run, Silenced
 from haros_ci.results.rule import Level
@@ -29,7 +30,7 @@ Unreadable = tuple[tuple[Run, ...], tuple[Result, ...]]
 
 #: What a linter says of a file that it cannot analyse, and the file that is the reason, if it is another one.
 _SAYS = " could not analyse this file: "
-_AT = re.compile(r" \((?P<path>[^()]+):\d+\)\Z")
+_AT = regex(r" \((?P<path>[^()]+):\d+\)\Z")
 #: Python of another version than the linters': honest code of which it is said.
 _NEWER_PYTHON = "it is for Python 3"
 _OTHER_PYTHON = ("it is Python 2", _NEWER_PYTHON)

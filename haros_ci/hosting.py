@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -15,6 +15,7 @@ from haros_ci.config.selection import Selection
 from haros_ci.config.settings import Settings
 from haros_ci.model.location import Location
 from haros_ci.model.workspace import Workspace
+from haros_ci.records import dataclass
 from haros_ci.results.result import Notification, Related, Result, Run, Tool
 from haros_ci.results.rule import Level
 from haros_ci.timing import timed

@@ -27,13 +27,14 @@ from haros_ci.linters.said_by_ours import unrepeated
 from haros_ci.linters.undefined_names import uses_gettext, weighed_names
 from haros_ci.model.location import Location
 from haros_ci.model.workspace import Workspace
+from haros_ci.regex import regex
 from haros_ci.registry import Registry
 from haros_ci.results import own
 from haros_ci.results.counted import count_metrics, raise_exceeded
 from haros_ci.results.result import Baseline, Result, Run, Suppression, Tool, results_of
 from haros_ci.results.rule import Level, Rule
 
-_SILENCED = re.compile(r"'(?P<rule>[\w-]{1,100})' \(from line (?P<line>\d{1,9})\)")
+_SILENCED = regex(r"'(?P<rule>[\w-]{1,100})' \(from line (?P<line>\d{1,9})\)")
 
 #: The metrics of both languages are one run, whatever measured them.
 METRICS = "metrics"

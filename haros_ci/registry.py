@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterator, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 from functools import cache
 from importlib.resources import files
 from types import MappingProxyType
@@ -41,6 +41,7 @@ from haros_ci.linters import (
     yamllint,
 )
 from haros_ci.linters.linter import Linter
+from haros_ci.records import dataclass, field
 from haros_ci.results import own
 from haros_ci.results.result import Report, Tool
 from haros_ci.results.rule import Rule

@@ -10,10 +10,11 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import AbstractContextManager, contextmanager, nullcontext
-from dataclasses import dataclass, field
 from functools import wraps
 from threading import get_ident
 from typing import NamedTuple, ParamSpec, TypeVar
+
+from haros_ci.records import dataclass, field
 
 P = ParamSpec("P")
 T = TypeVar("T")

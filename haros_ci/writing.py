@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import errno
 import os
-import re
 import stat
 import sys
 from collections.abc import Mapping
@@ -18,10 +17,11 @@ from pathlib import Path
 
 from haros_ci.errors import RunFailure, UserError
 from haros_ci.interruption import held
+from haros_ci.regex import regex
 
 _NEW = os.O_WRONLY | os.O_CREAT | os.O_EXCL | os.O_NOFOLLOW | os.O_CLOEXEC
 #: Names of what this process has open already.
-_OPEN = re.compile(r"/dev/(?:(stdout)|(stderr)|fd/([0-9]{1,6}))|/proc/(?:self|thread-self)/fd/([0-9]{1,6})")
+_OPEN = regex(r"/dev/(?:(stdout)|(stderr)|fd/([0-9]{1,6}))|/proc/(?:self|thread-self)/fd/([0-9]{1,6})")
 #: What the machine has no room for; another name would not help.
 _FULL = frozenset({errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EIO, errno.EMFILE, errno.ENFILE, errno.ENOMEM})
 _MOST_LINKS = 40

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 from functools import partial
 from typing import Any
 
@@ -30,6 +30,7 @@ from haros_ci.model.faults import FAULTS, fault
 from haros_ci.model.launch import LaunchFile
 from haros_ci.model.launch_actions import Description
 from haros_ci.model.workspace import Problem, Store, Workspace
+from haros_ci.records import dataclass, field
 from haros_ci.systems.following import KnownNodes
 from haros_ci.systems.known.entry import KnownNode
 from haros_ci.systems.link import Linked, Requested, Ros2Launch, linked

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import fields, is_dataclass, replace
 from types import GenericAlias
@@ -17,6 +16,7 @@ from haros_ci.model.launch_facts import LaunchFact
 from haros_ci.model.location import Location
 from haros_ci.model.package import Package
 from haros_ci.model.workspace import Problem
+from haros_ci.regex import regex
 
 #: The new line of each old one that has code, by file.
 Lines = Mapping[str, Mapping[int, int]]
@@ -24,7 +24,7 @@ FACTS: tuple[type[LaunchFact], ...] = tuple(
     kind for _, kind in sorted(vars(launch_facts).items()) if isinstance(kind, type) and issubclass(kind, LaunchFact)
 )
 #: What tells in a sentence on which line something stands.
-_PLACE = re.compile(r":\d|\blines? \d")
+_PLACE = regex(r":\d|\blines? \d")
 _SENTENCES = frozenset(("reason", "message"))
 
 

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
-from dataclasses import dataclass, field
 
 from haros_ci.analysis.api_rows import api_rows, plugin_rows
 from haros_ci.analysis.code_of import code_of
@@ -23,6 +22,7 @@ from haros_ci.index.index import Source
 from haros_ci.model.api import Row
 from haros_ci.model.coverage import ENDPOINT, ENOUGH, OPEN, OTHER, PRODUCTION, TEST, UNREACHED, Coverage, Site
 from haros_ci.model.workspace import Workspace
+from haros_ci.records import dataclass, field
 from haros_ci.systems.client_libraries import library_files
 from haros_ci.systems.link import Linked
 from haros_ci.timing import timed

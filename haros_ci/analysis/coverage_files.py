@@ -6,7 +6,6 @@ from __future__ import annotations
 import posixpath
 import re
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
 
 from haros_ci.code.classes import absolute
 from haros_ci.code.codebase import Codebase
@@ -18,22 +17,24 @@ from haros_ci.model.coverage import EXAMPLE, PRODUCTION, TEST
 from haros_ci.model.package import Package
 from haros_ci.model.unbuilt import is_whole
 from haros_ci.model.workspace import Workspace
+from haros_ci.records import dataclass
+from haros_ci.regex import regex
 
 #: Names of folders, inside a package, for code that shows how others are used.
 _EXAMPLES = frozenset("example examples demo demos tutorial tutorials sample samples".split())
-_TEST_FILE = re.compile(r"(?:test_\w+|\w+_tests?|conftest|\w+[._]gtest)\.\w+")
-_TEST_PACKAGE = re.compile(r"(?:\w+_)?(?:tests?|testing)|test_\w+")
-_LOADER = re.compile(r"\bClassLoader\s*<\s*([\w:]+)")
-_PROGRAM = re.compile(r"^if[ \t(]+__name__\b|^#!", re.MULTILINE)
-_SCRIPT = re.compile(r"\w{1,100}\.py\b")
+_TEST_FILE = regex(r"(?:test_\w+|\w+_tests?|conftest|\w+[._]gtest)\.\w+")
+_TEST_PACKAGE = regex(r"(?:\w+_)?(?:tests?|testing)|test_\w+")
+_LOADER = regex(r"\bClassLoader\s*<\s*([\w:]+)")
+_PROGRAM = regex(r"^if[ \t(]+__name__\b|^#!", re.MULTILINE)
+_SCRIPT = regex(r"\w{1,100}\.py\b")
 #: What registers a class with Gazebo.
-_SIMULATED = re.compile(r"(?:GZ|IGN|IGNITION|GAZEBO)_(?:REGISTER_\w*PLUGIN|ADD_PLUGIN)")
+_SIMULATED = regex(r"(?:GZ|IGN|IGNITION|GAZEBO)_(?:REGISTER_\w*PLUGIN|ADD_PLUGIN)")
 #: Kinds of files that name plug-ins and classes which are to be loaded, and ends of names of others.
 _NAMING = frozenset(("yaml", "launch", "xml", "shell"))
 _DESCRIBING = (".world", ".sdf", ".urdf", ".xacro", ".gazebo", ".launch.py")
-_NAMED = re.compile(r"(?:::|\.|/)(\w+)")
+_NAMED = regex(r"(?:::|\.|/)(\w+)")
 #: A name that may be looked up in a library that is loaded.
-_LOOKED_UP = re.compile(r'"(\w{1,80})"')
+_LOOKED_UP = regex(r'"(\w{1,80})"')
 #: Bases of plug-ins that are nodes themselves: one that nothing loads is in the model all the same.
 _NODES = frozenset(("nodelet::Nodelet", "rclcpp_components::NodeFactory"))
 

@@ -5,11 +5,11 @@ from __future__ import annotations
 
 from bisect import bisect_right
 from collections.abc import Collection, Iterable, Iterator, Mapping
-from dataclasses import dataclass
 
 from haros_ci.coverage.pieces import last_name
 from haros_ci.index.index import Source
 from haros_ci.model.architecture import Architecture, Node
+from haros_ci.records import dataclass
 from haros_ci.syntax import Function
 
 #: How the reason of an unknown ``endpoints`` ends that a call gives which the model does not account for.

@@ -13,6 +13,7 @@ from collections.abc import Iterable, Iterator, Mapping
 
 from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Workspace
+from haros_ci.regex import regex
 from haros_ci.syntax import Class, Program, Type
 from haros_ci.workspace.library_trees import library_trees
 from haros_ci.workspace.third_party import NAMES, around
@@ -28,7 +29,7 @@ SPACES = (
     " tier4_autoware_utils autoware_utils_rclcpp autoware_utils_debug autoware_utils_logging autoware_utils_tf autoware_utils_diagnostics"
     " component_interface_utils gazebo gazebo_ros rviz rviz_common rviz_default_plugins BT controller_interface hardware_interface"
 ).split()
-_ROS = re.compile(
+_ROS = regex(
     rf"\b(?:{'|'.join(SPACES)})::"
     r"|[<\"](?:ros|rcl\w{0,20}|rclcpp\w{0,20}|tf2?(?:_ros)?|nodelet|pluginlib|class_loader|gazebo\w{0,20}|\w{1,40}_msgs|message_filters)/"
     r"|\b(?:ros[12]?|rclcpp|rclc?)_\w|\b(?:ROS|RCLCPP|RCUTILS|PLUGINLIB|CLASS_LOADER)_[A-Z]"
@@ -36,9 +37,9 @@ _ROS = re.compile(
 #: Without any of these a file in the tree of a well-known library names nothing of ROS: these have millions of lines.
 LIKELY = ("ros::", "ros/", "rclcpp", "nodelet", "pluginlib", "_msgs/")
 #: An include as written, with its brackets or quotes.
-_INCLUDE = re.compile(r"^[ \t]{0,80}#[ \t]{0,80}include[ \t]{0,80}(<[^<>\n]{1,400}>|\"[^\"\n]{1,400}\")", re.MULTILINE)
+_INCLUDE = regex(r"^[ \t]{0,80}#[ \t]{0,80}include[ \t]{0,80}(<[^<>\n]{1,400}>|\"[^\"\n]{1,400}\")", re.MULTILINE)
 #: The name of a class that is defined.
-_CLASS = re.compile(
+_CLASS = regex(
     r"\b(?:class|struct)[ \t]{1,40}(?:[A-Z][A-Z0-9_]{1,60}[ \t]{1,40})?(\w{1,200})\s{0,80}(?:final\s{0,80})?[:{]"
 )
 

@@ -7,12 +7,13 @@ import re
 
 from haros_ci import syntax
 from haros_ci.coverage.blanked import blanked
+from haros_ci.regex import regex
 from haros_ci.syntax import Program
 from haros_ci.syntax.walk import everything
 
 #: What stands before the name of a variable.
-_TYPE = re.compile(r"\s*[A-Za-z_][\w:]*(?:[\s*]+[A-Za-z_][\w:]*)*[\s*]+")
-_SIGN = re.compile(r"[()\[\]{};,]")
+_TYPE = regex(r"\s*[A-Za-z_][\w:]*(?:[\s*]+[A-Za-z_][\w:]*)*[\s*]+")
+_SIGN = regex(r"[()\[\]{};,]")
 
 
 def idle_lines(text: str, program: Program, rest: Program) -> dict[int, str]:

@@ -9,26 +9,27 @@ from pathlib import Path
 
 from haros_ci.model.package import Package
 from haros_ci.model.workspace import Workspace
+from haros_ci.regex import regex
 from haros_ci.workspace.imported import Imports, imports
 
 #: Commits that change files of one of the other packages: a team works there.
 WORKED_ON = 3
-_WORD = re.compile(r"[^\W\d_]{2,}")
+_WORD = regex(r"[^\W\d_]{2,}")
 #: Words of names and addresses that anybody has.
 _ANYBODY = frozenset("com org net edu gov mail gmail info dev the ros robot robotics support team user root".split())
 #: Where anybody has an address.
-_FREE = re.compile(
+_FREE = regex(
     r"(?:g(?:oogle)?mail|hotmail|outlook|live|yahoo|icloud|me|qq|163|126|foxmail|sina|aol|gmx|web|mail|naver|daum|hanmail|proton(?:mail)?|yandex|todo|users\.noreply\.github)"
     r"\.[\w.]{2,8}"
 )
 _SECOND = frozenset("ac co com edu gov go ne net or org".split())
-_OWNER = re.compile(r"<url\b[^<>]{0,100}>\s*https?://(?:www\.)?(?:github|gitlab)\.com/([\w.-]{1,100})/")
+_OWNER = regex(r"<url\b[^<>]{0,100}>\s*https?://(?:www\.)?(?:github|gitlab)\.com/([\w.-]{1,100})/")
 #: A page of the package's own; templates name those of MoveIt.
-_PAGE = re.compile(r"<url\b[^<>]{0,100}>\s*https?://(?![^<>\s]{0,100}moveit)[\w-]{1,100}\.[^<>\s]{2,300}\s*<")
-_LICENCE = re.compile(r"(?:licen[cs]e|copying)(?:\.\w{2,4})?", re.IGNORECASE)
-_README = re.compile(r"readme(?:[._-]\w{2,5}){0,2}", re.IGNORECASE)
+_PAGE = regex(r"<url\b[^<>]{0,100}>\s*https?://(?![^<>\s]{0,100}moveit)[\w-]{1,100}\.[^<>\s]{2,300}\s*<")
+_LICENCE = regex(r"(?:licen[cs]e|copying)(?:\.\w{2,4})?", re.IGNORECASE)
+_README = regex(r"readme(?:[._-]\w{2,5}){0,2}", re.IGNORECASE)
 #: What stands at the top of a repository besides, and of released packages.
-_OF_RELEASES = re.compile(
+_OF_RELEASES = regex(
     r"(?:changelog|contributing)(?:\.(?:rst|md))?|\.travis\.yml|\.github|\.gitlab-ci\.yml", re.IGNORECASE
 )
 

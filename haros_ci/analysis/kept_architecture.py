@@ -7,7 +7,6 @@ import zlib
 from base64 import b64decode, b64encode
 from binascii import Error
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from functools import cache
 
 import msgspec
@@ -17,6 +16,7 @@ from haros_ci.analysis.kept_runs import GROUP, MAX_OUTPUT, MAX_PACKED, key_of
 from haros_ci.analysis.programs import programs
 from haros_ci.model.architecture import Architecture, Configuration
 from haros_ci.model.workspace import Store, Workspace
+from haros_ci.records import dataclass
 from haros_ci.report.escape import multiline
 from haros_ci.systems.link import Linked
 from haros_ci.timing import timed

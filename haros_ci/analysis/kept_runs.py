@@ -7,12 +7,13 @@ import zlib
 from base64 import b64decode, b64encode
 from binascii import Error
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 from hashlib import blake2b
 from typing import TYPE_CHECKING, Any
 
 from haros_ci.model.workspace import Reader, Store, Workspace
 from haros_ci.own_sources import program_digest
+from haros_ci.records import dataclass, field
 from haros_ci.report.escape import multiline
 from haros_ci.results import own
 from haros_ci.results.result import Run

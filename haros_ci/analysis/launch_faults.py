@@ -10,19 +10,20 @@ from haros_ci.launch.ros1 import dialect
 from haros_ci.linters.python2 import is_newer
 from haros_ci.model.launch import LaunchElement, LaunchFile
 from haros_ci.model.workspace import Problem, Workspace
+from haros_ci.regex import regex
 
 #: What only roslaunch has: a file with it was left over from ROS 1, which another rule says once.
-_OF_ROS1 = re.compile(
+_OF_ROS1 = regex(
     r"\$\((?:find|arg|optenv)\s|<(?:rosparam|test|machine|master)\b|<(?:node|test)\b[^<>]*\stype\s*=|\bclear_params\s*="
 )
 _YAML = (".launch.yaml", ".launch.yml", "_launch.yaml", "_launch.yml")
 _PYTHON = (".launch.py", "_launch.py", "-launch.py")
 #: How an extension of launch registers a tag (launch/frontend/expose.py).
-_EXPOSED = re.compile(r"\bexpose_action\(\s*[\"']([\w-]+)[\"']")
+_EXPOSED = regex(r"\bexpose_action\(\s*[\"']([\w-]+)[\"']")
 #: How sentences on limits of ours begin.
 _LIMITS = ("more than ", "nested deeper ")
 #: Packages of find_package() commands.
-_FOUND = re.compile(r"(?m)^[ \t]*find_package[ \t]*\([ \t\n]*([\w.-]+)", re.I)
+_FOUND = regex(r"(?m)^[ \t]*find_package[ \t]*\([ \t\n]*([\w.-]+)", re.I)
 #: How packages end that depend on launch to test themselves, or hold launch files alone.
 _NO_EXTENSION = ("_msgs", "_interfaces", "launch_testing_ament_cmake", "_bringup", "_description")
 #: A package that registers tags depends on one of these, whose own tags are all known.

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
 from typing import Any
 
 from haros_ci.analysis.architectures import Architectures, project_of
@@ -22,6 +21,7 @@ from haros_ci.model.location import Location
 from haros_ci.model.workspace import Workspace
 from haros_ci.monitoring.monitor import Monitor
 from haros_ci.monitoring.patterns import monitor_of
+from haros_ci.records import dataclass, field
 
 COMMAND_LINE = "command line"
 

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
 from functools import partial
 
 from haros_ci.analysis.architectures import Architectures, project_of
@@ -15,6 +14,7 @@ from haros_ci.checking.run import Checked, run_on_project
 from haros_ci.checking.system import systems
 from haros_ci.errors import UserError
 from haros_ci.model.workspace import Workspace
+from haros_ci.records import dataclass
 from haros_ci.results import own
 
 #: How the ids of the checks of properties begin.

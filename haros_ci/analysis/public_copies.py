@@ -10,27 +10,29 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from haros_ci.analysis.imported_copies import imported
 from haros_ci.config.settings import Settings
 from haros_ci.knowledge.knowledge import knowledge
 from haros_ci.model.package import Package
 from haros_ci.model.workspace import Workspace
+from haros_ci.records import dataclass
+from haros_ci.regex import regex
 from haros_ci.workspace.third_party import around
 
-_PERSON = re.compile(r"<(?:maintainer|author)\b([^<>]{0,300})>([^<>]{0,300})<")
-_REMARK = re.compile(r"<!--.*?(?:-->|\Z)", re.DOTALL)
-_MAIL = re.compile(r"email\s*=\s*[\"']([^\"'<>]{1,200})[\"']")
+_PERSON = regex(r"<(?:maintainer|author)\b([^<>]{0,300})>([^<>]{0,300})<")
+_REMARK = regex(r"<!--.*?(?:-->|\Z)", re.DOTALL)
+_MAIL = regex(r"email\s*=\s*[\"']([^\"'<>]{1,200})[\"']")
 #: A page or repository of what the package was before it got another name: ``http://wiki.ros.org/map_server``.
-_PAGE = re.compile(
+_PAGE = regex(
     r"<url\b[^<>]{0,100}>\s*https?://(?:www\.)?(?:wiki\.ros\.org|ros\.org/wiki|index\.ros\.org/p|github\.com/[\w.-]{1,100})/"
     r"([\w-]{1,100})(?:\.git)?(?:/issues|/wiki)?/?\s*<"
 )
 #: Packages that many workspaces copy and that no distribution has, as makers publish their drivers: how they are called, and who is named in their manifests.
 #: Both must fit: a name alone is anybody's.
 _MAKERS = tuple(
-    (re.compile(name), re.compile(people))
+    (regex(name), regex(people))
     for name, people in (
         (r"rplidar_ros2?|sllidar_ros2", r"@slamtec\.com"),
         (r"livox_(?:ros2?_driver2?|interfaces\d?)", r"@livoxtech\.com"),
@@ -52,7 +54,7 @@ _MAKERS = tuple(
 #: Pages that templates put into whatever they make: the MoveIt Setup Assistant its own.
 _OF_TEMPLATES = frozenset(("moveit", "moveit2", "moveit_setup_assistant"))
 #: What templates put in the place of a name or an address.
-_NOBODY = re.compile(
+_NOBODY = regex(
     r"to-?do|example\.|moveit setup assistant|assistant@moveit|jane doe|\byou(?:r|@)|^(?:user|root|ubuntu|ros|pi|robot|admin|maintainer)\b|localhost",
     re.IGNORECASE,
 )
@@ -64,7 +66,7 @@ _TOP = ("", "src")
 #: How often the people of packages that are no copies are added to the team; beyond, nothing is a copy.
 _MOST_ROUNDS = 20
 #: A downloaded archive: the name of the repository and that of a branch.
-_ARCHIVE = re.compile(
+_ARCHIVE = regex(
     r".+-(?:master|main|devel|develop|ros[12]|[a-z]+-devel|groovy|hydro|indigo|jade|kinetic|lunar|melodic|noetic|dashing|eloquent|foxy"
     r"|galactic|humble|iron|jazzy|kilted|rolling)"
 )

@@ -3,9 +3,8 @@
 
 from __future__ import annotations
 
-import re
 from collections import Counter
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cache
 from itertools import pairwise
 
@@ -18,6 +17,8 @@ from haros_ci.index.mentions import last
 from haros_ci.keeping.moves import Lines, moves
 from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Store, Workspace
+from haros_ci.records import dataclass
+from haros_ci.regex import regex
 from haros_ci.syntax import Program
 from haros_ci.syntax.codec import decoded
 from haros_ci.workspace.base import Base
@@ -31,7 +32,7 @@ LINE_NUMBERS = ("__LINE__", "source_location", "lineno")
 
 #: What is idle in a workspace, and the last parts of the names of its functions and classes.
 Known = tuple[Idle, frozenset[str]]
-_WORD = re.compile(r"\w+")
+_WORD = regex(r"\w+")
 
 
 @dataclass(frozen=True, slots=True)

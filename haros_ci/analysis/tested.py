@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 from haros_ci.analysis.architectures import Architectures, project_of
@@ -20,6 +20,7 @@ from haros_ci.checking.properties import OF_ALL, Properties, stated_in
 from haros_ci.checking.system import End, System, SystemNode, systems
 from haros_ci.errors import UserError
 from haros_ci.model.workspace import Workspace
+from haros_ci.records import dataclass
 from haros_ci.test_files.suite import LaunchFile, Suite, Tested, Topic
 
 PUBLISHERS, SUBSCRIBERS = TOPIC

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
 
 from haros_ci.analysis.architectures import Architectures
 from haros_ci.analysis.monitored import Chosen, Monitored, chosen
@@ -15,6 +14,7 @@ from haros_ci.errors import UserError
 from haros_ci.model.architecture import Qos
 from haros_ci.model.location import Location
 from haros_ci.model.workspace import Workspace
+from haros_ci.records import dataclass
 from haros_ci.verification.problem import Claim, Limits, Member, Network, Problem
 
 #: Properties that are verified at once, and axioms.

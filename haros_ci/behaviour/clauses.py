@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 from itertools import product
 from typing import Union
 
@@ -29,6 +28,7 @@ from haros_ci.behaviour.tree import (
     Variable,
 )
 from haros_ci.interfaces.definitions import FieldType
+from haros_ci.records import dataclass
 
 #: Alternatives and conditions of one predicate; what has more is not decided.
 MOST_CLAUSES, MOST_CONDITIONS = 256, 64

@@ -8,12 +8,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
 
 from haros_ci.behaviour.deciding import Predicate, implies
 from haros_ci.behaviour.meaning import free_variables
 from haros_ci.behaviour.text import events_text, scope_text
 from haros_ci.behaviour.tree import Event, Pattern, PatternKind, Property, ScopeKind
+from haros_ci.records import dataclass
 
 Read = Callable[[Event], Predicate]
 

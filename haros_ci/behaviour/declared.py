@@ -8,7 +8,6 @@ properties, as ``package/path`` or as paths from the root; nor ``rules`` (``beha
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, field
 
 from haros_ci.behaviour.fault import HplFault
 from haros_ci.behaviour.parser import parse_property, read_file
@@ -17,6 +16,7 @@ from haros_ci.behaviour.sources import Lines, Source, Value, read_yaml, source_o
 from haros_ci.behaviour.text import canonical
 from haros_ci.behaviour.tree import Place, Property
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass, field
 
 PROPERTIES, AXIOMS, FILES, RULES = ("properties",), ("assumptions", "axioms"), "files", "rules"
 KEYS = (*PROPERTIES, *AXIOMS, FILES, RULES)

@@ -8,7 +8,6 @@ The rules are those of ``ast/properties.py:sanity_check``, ``ast/events.py:HplEv
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
 from enum import Enum
 
 from haros_ci.behaviour import kinds
@@ -32,6 +31,7 @@ from haros_ci.behaviour.tree import (
     children,
     parts,
 )
+from haros_ci.records import dataclass
 
 
 class Slip(Enum):

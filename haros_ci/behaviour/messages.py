@@ -9,13 +9,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import Union
 
 from haros_ci.behaviour import kinds
 from haros_ci.behaviour.tree import Expression, Field, Item, Variable
 from haros_ci.interfaces.definitions import Definitions, FieldType, field_type
 from haros_ci.interfaces.structs import Structs
+from haros_ci.records import dataclass
 
 #: The integers that each type holds. A byte is signed in ROS 1 and not in ROS 2, so it is taken as both.
 INTEGERS: Mapping[str, tuple[int, int]] = {

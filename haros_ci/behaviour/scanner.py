@@ -13,6 +13,7 @@ from bisect import bisect_right
 
 from haros_ci.behaviour.fault import HplFault, short
 from haros_ci.behaviour.tree import Place
+from haros_ci.regex import regex
 
 #: Longer texts are refused: one property, and a file of them.
 LONGEST_PROPERTY = 20_000
@@ -20,17 +21,17 @@ LONGEST_FILE = 1_000_000
 #: Characters of a number; so it is one that a float can hold, or infinite.
 LONGEST_NUMBER = 300
 
-_SPACE = re.compile(r"[ \t\f\r\n\ufeff]+")
-_COMMENT = re.compile(r"#[^\n]*")
-_METADATA = re.compile(r"#[ \t\f\r\n]*(?:id|title|description)[ \t\f\r\n]*:")
-_OTHER_METADATA = re.compile(
+_SPACE = regex(r"[ \t\f\r\n\ufeff]+")
+_COMMENT = regex(r"#[^\n]*")
+_METADATA = regex(r"#[ \t\f\r\n]*(?:id|title|description)[ \t\f\r\n]*:")
+_OTHER_METADATA = regex(
     r'#[ \t]*([A-Za-z_][A-Za-z_0-9-]*)[ \t]*:[ \t]*("(?:[^"\\\n]|\\.)*"|[A-Za-z_]\w*[ \t]*(?=\r?\n|\Z))', re.ASCII
 )
-_WORD = re.compile(r"[A-Za-z_][A-Za-z_0-9]*")
-_TOPIC = re.compile(r"[/~]?[a-zA-Z][0-9a-zA-Z_]*(?:/[a-zA-Z][0-9a-zA-Z_]*)*")
-_NUMBER = re.compile(r"(?:[0-9]+\.[0-9]*|\.[0-9]+|[0-9]+)(?:[eE][+-]?[0-9]+)?")
-_TEXT = re.compile(r'"(?:[^"\\\n]|\\[^\n])*"')
-_SHOWN = re.compile(r"[/~@$]?[A-Za-z_0-9][\w/.]*|&&|\|\||==|!=|<=|>=|.", re.ASCII | re.DOTALL)
+_WORD = regex(r"[A-Za-z_][A-Za-z_0-9]*")
+_TOPIC = regex(r"[/~]?[a-zA-Z][0-9a-zA-Z_]*(?:/[a-zA-Z][0-9a-zA-Z_]*)*")
+_NUMBER = regex(r"(?:[0-9]+\.[0-9]*|\.[0-9]+|[0-9]+)(?:[eE][+-]?[0-9]+)?")
+_TEXT = regex(r'"(?:[^"\\\n]|\\[^\n])*"')
+_SHOWN = regex(r"[/~@$]?[A-Za-z_0-9][\w/.]*|&&|\|\||==|!=|<=|>=|.", re.ASCII | re.DOTALL)
 
 
 class Scanner:

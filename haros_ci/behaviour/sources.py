@@ -3,19 +3,19 @@
 
 from __future__ import annotations
 
-import re
 from bisect import bisect_right
-from dataclasses import dataclass
 from typing import Any, ClassVar
 
 from haros_ci.behaviour.tree import Place
 from haros_ci.bounded_yaml import MERGE, TAG, Composer, Scalar, YamlFault, YamlLimits
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass
+from haros_ci.regex import regex
 
 LIMITS = YamlLimits(1_000_000, 50, 100_000, 1_000)
 _NUMBERS = {TAG + name for name in ("int", "float", "bool", "null")}
 #: Anchors and tags in front of a value.
-_BEFORE = re.compile(r"(?:[&!]\S*\s+)+")
+_BEFORE = regex(r"(?:[&!]\S*\s+)+")
 
 
 class Lines:

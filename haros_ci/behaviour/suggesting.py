@@ -4,10 +4,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
 
 from haros_ci.model.architecture import Configuration, Endpoint, Node
 from haros_ci.model.dependence import DIRECT, PERHAPS, STATE, Cause, NodeDependence, Output
+from haros_ci.records import dataclass
 
 #: A bound is so many periods of what sends: one until it runs, one for its work.
 PERIODS = 2

@@ -4,9 +4,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from enum import Enum
 from typing import Union
+
+from haros_ci.records import dataclass
 
 
 @dataclass(frozen=True, slots=True)

@@ -4,10 +4,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass
 from typing import Any
 
 from haros_ci.bounded_python.limits import NotFollowed, TooMuch
+from haros_ci.records import dataclass
 
 #: The longest collection that a function takes or makes; what a language allows besides is in its limits.
 MAX_SIZE = 20_000

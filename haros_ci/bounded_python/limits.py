@@ -4,14 +4,15 @@
 from __future__ import annotations
 
 import ast
-import re
 import warnings
-from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any
 
+from haros_ci.records import dataclass
+from haros_ci.regex import regex
+
 #: The formats of ``%`` that make nothing longer than what they are given.
-_PLAIN_FORMATS = re.compile(r"(?:[^%]|%[sd%])*\Z")
+_PLAIN_FORMATS = regex(r"(?:[^%]|%[sd%])*\Z")
 
 
 @dataclass(frozen=True, slots=True)

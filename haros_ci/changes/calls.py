@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass
 from typing import TypeAlias, TypeGuard
 
 from haros_ci import syntax
@@ -18,18 +17,20 @@ from haros_ci.changes.endpoints import WORDS
 from haros_ci.changes.names import UNKNOWN
 from haros_ci.model.api import Row, Template
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass
+from haros_ci.regex import regex
 from haros_ci.syntax import Expression, Program
 from haros_ci.syntax.walk import preorder
 
 #: Rows by the last part of the call's name.
 Arguments: TypeAlias = tuple[Expression, ...]
 Rows = Mapping[str, tuple[Row, ...]]
-_INDEX = re.compile(r"\d+$")
-_OF_TYPE = re.compile(r"type(?:name|of)\((.*)\)$")
+_INDEX = regex(r"\d+$")
+_OF_TYPE = regex(r"type(?:name|of)\((.*)\)$")
 #: Conversions that leave a text or number as it is.
 _CONVERSIONS = frozenset(("string", "str", "String", "ParameterValue", "float", "double", "to_string", "move", "Value"))
 #: Code for tests takes no part in a system.
-_TEST = re.compile(r"(^|/)tests?/|(^|/)(test_[^/]*|[^/]*_tests?)\.\w+$")
+_TEST = regex(r"(^|/)tests?/|(^|/)(test_[^/]*|[^/]*_tests?)\.\w+$")
 MAX_DEPTH = 200
 
 

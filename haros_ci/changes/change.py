@@ -4,11 +4,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 from typing import Any
 
 from haros_ci.model.changes import ADDED, CHANGED, REMOVED, RENAMED, Change
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass
 
 __all__ = ["ADDED", "CHANGED", "REMOVED", "RENAMED", "Change", "Difference", "shown", "tail", "told_once"]
 

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, field
 
 from haros_ci.changes import configurations
 from haros_ci.changes.calls import ChangedCall
@@ -21,6 +20,7 @@ from haros_ci.changes.settings import ParameterValue, compare_arguments, compare
 from haros_ci.model.architecture import Architecture, Configuration
 from haros_ci.model.changes import ADDED, REMOVED, Change, Changes
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass, field
 
 _OPPOSITE = {
     "publisher": "subscribers",

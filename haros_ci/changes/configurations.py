@@ -4,12 +4,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from haros_ci.changes.change import ADDED, CHANGED, REMOVED, RENAMED, Difference
 from haros_ci.changes.names import is_known
 from haros_ci.changes.nodes import ALIKE_PROGRAMS, ends_of, identity, program, said_ends, share
 from haros_ci.model.architecture import Architecture, Configuration, Endpoint, Node
+from haros_ci.records import dataclass
 
 
 @dataclass(frozen=True, slots=True)

@@ -4,12 +4,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass, field, fields, replace
+from dataclasses import fields, replace
 
 from haros_ci.changes.change import ADDED, CHANGED, REMOVED, RENAMED, Difference, shown
 from haros_ci.changes.names import is_known, likeness, may_be_same, relative
 from haros_ci.changes.nodes import identity, program, said_ends
 from haros_ci.model.architecture import Endpoint, Node, Qos
+from haros_ci.records import dataclass, field
 
 #: The kinds of ends whose changes are reported, in words.
 WORDS = {

@@ -10,15 +10,16 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Container, Iterable, Mapping
-from dataclasses import dataclass, field
 from functools import cached_property
 
 from haros_ci.changes.change import ADDED, REMOVED, Difference
 from haros_ci.changes.endpoints import WORDS
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass, field
+from haros_ci.regex import regex
 from haros_ci.syntax import Program
 
-_WORD = re.compile(r"[A-Za-z_]\w{2,}")
+_WORD = regex(r"[A-Za-z_]\w{2,}")
 #: Languages of files that say what runs, and with which names and plug-ins.
 SETTINGS = frozenset(("launch", "yaml", "xml"))
 

@@ -9,13 +9,13 @@ only, but code of both reads them; default values and comments are in neither.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
 
 from haros_ci.changes.sections import SectionDifference, differences
 from haros_ci.interfaces.definitions import Definitions, field_type, on_wire
 from haros_ci.interfaces.hashes import wire_hash
 from haros_ci.model.build import Interface
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass
 
 #: An interface, and the ROS version of its package: 1, 2 or None.
 Defined = tuple[Interface, int | None]

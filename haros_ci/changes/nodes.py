@@ -4,10 +4,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 
 from haros_ci.changes.names import is_known, likeness, relative
 from haros_ci.model.architecture import Endpoint, Node
+from haros_ci.records import dataclass
 
 #: Of the ends of two nodes of one program, so many have to be the same for the one to be the other under a new name.
 ALIKE = 0.5

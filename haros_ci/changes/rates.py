@@ -7,13 +7,13 @@ A node that publishes in a callback has the rate of what it receives. Such a cha
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
 
 from haros_ci.changes.change import CHANGED, Difference
 from haros_ci.changes.nodes import program
 from haros_ci.model.architecture import Architecture, Configuration, Node
 from haros_ci.model.location import Location
 from haros_ci.model.rates import NEVER, Rate, total
+from haros_ci.records import dataclass, field
 
 #: A node and a topic that it publishes.
 Key = tuple[str, str]

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Container, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from haros_ci.changes.calls import Rows, calls_in, is_test
 from haros_ci.changes.compare import ComparedRevision, compare
@@ -17,6 +17,7 @@ from haros_ci.changes.wrappers import Wrappers
 from haros_ci.model.architecture import Architecture
 from haros_ci.model.changes import Changes
 from haros_ci.model.workspace import Workspace
+from haros_ci.records import dataclass
 from haros_ci.syntax import Program
 
 

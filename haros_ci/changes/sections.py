@@ -5,10 +5,11 @@ from __future__ import annotations
 
 from bisect import bisect_left
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from haros_ci.interfaces.definitions import FieldType, field_type
 from haros_ci.model.build import InterfaceField
+from haros_ci.records import dataclass
 
 
 @dataclass(frozen=True, slots=True)

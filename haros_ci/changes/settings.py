@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
 from typing import Any
 
 from haros_ci.changes.change import ADDED, CHANGED, REMOVED, Difference, shown
@@ -13,6 +12,7 @@ from haros_ci.changes.names import is_known, relative
 from haros_ci.model.architecture import Architecture, Configuration, Node, Parameter, RemapRule
 from haros_ci.model.launch_facts import ArgumentDeclaration
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass
 
 #: If at least so many values of one node come from another file now, they are reported as one change.
 MANY = 5

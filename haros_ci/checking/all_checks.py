@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Hashable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import partial
 from typing import Any
 
@@ -17,6 +17,7 @@ from haros_ci.checking.system import System
 from haros_ci.checking.unstarted import lowered
 from haros_ci.model.changes import Changes
 from haros_ci.model.workspace import Workspace
+from haros_ci.records import dataclass
 from haros_ci.timing import Spent, now, side_by_side
 
 #: The tag of checks that look at the base revision, too.

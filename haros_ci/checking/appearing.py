@@ -11,6 +11,7 @@ from functools import lru_cache
 from haros_ci.checking.project import ProjectPackage
 from haros_ci.model.globs import fault, matches
 from haros_ci.model.workspace import Workspace
+from haros_ci.regex import regex
 
 
 def may_appear(package: ProjectPackage, path: str, quiet: Collection[str]) -> bool:
@@ -31,8 +32,8 @@ def may_appear(package: ProjectPackage, path: str, quiet: Collection[str]) -> bo
 #: Pages and scripts that tell how to make what is not in the repository, so much of each, and words for making it.
 _PAGES = (".md", ".rst", ".txt", ".sh", ".bash", "dockerfile", "makefile", ".yml", ".yaml")
 _MAX_PAGE = 200_000
-_NO_PAGES = re.compile(r"(?:^|/)(?:CMakeLists\.txt|changelog[^/]*)$", re.IGNORECASE)
-_MAKES = re.compile(
+_NO_PAGES = regex(r"(?:^|/)(?:CMakeLists\.txt|changelog[^/]*)$", re.IGNORECASE)
+_MAKES = regex(
     r"\b(?:mkdir|wget|curl|git clone|git submodule|unzip|tar|ln|cp|mv|gdown|vcs|create|make|download\w*|extract|place|put|save|copy|generate\w*"
     r"|clone|move|unpack|store)\b",
     re.IGNORECASE,

@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Set
-from dataclasses import dataclass
 
 from haros_ci import syntax
 from haros_ci.checking.code_text import alone
@@ -18,18 +17,20 @@ from haros_ci.checking.project import Project
 from haros_ci.code.classes import Owner, bases
 from haros_ci.code.codebase import Codebase, Routine
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass
+from haros_ci.regex import regex
 from haros_ci.syntax import Block, Expression
 from haros_ci.syntax.walk import below, everything
 
 #: Code that gives objects attributes by name, or asks for them so.
-_BY_NAME = re.compile(
+_BY_NAME = regex(
     r"\b(?:setattr|vars|exec|eval|locals)\s*\(|__(?:getattr|getattribute|setattr|dict|new|init_subclass|setstate)__"
     r"|\bMethodType\b|\bmetaclass\s*=|\bmock\b"
 )
 #: A call of something by a name of its own, whose first argument is not ``self``.
-_CALL = re.compile(r"(?<!\w)(\w+)\.(\w+)[ \t]*\((?!\s*self\b)")
+_CALL = regex(r"(?<!\w)(\w+)\.(\w+)[ \t]*\((?!\s*self\b)")
 #: Classes that are made for others to complete them.
-_PARTIAL = re.compile(r"mixin|abstract|interface|base|protocol|template", re.I)
+_PARTIAL = regex(r"mixin|abstract|interface|base|protocol|template", re.I)
 _PLAIN = frozenset(("object", "abc.ABC", "ABC"))
 _DECORATORS = ("@dataclass", "@dataclasses.dataclass", "@total_ordering", "@functools.total_ordering")
 _THREAD = frozenset(

@@ -7,6 +7,7 @@ import re
 from collections.abc import Iterator
 
 from haros_ci.checking.project import ProjectPackage
+from haros_ci.regex import regex
 
 #: The headers, and what brings every part.
 HEADERS, WHOLE = "libboost-dev", "boost"
@@ -14,7 +15,7 @@ HEADERS, WHOLE = "libboost-dev", "boost"
 _WORDS = frozenset(
     "REQUIRED QUIET EXACT MODULE CONFIG NO_MODULE COMPONENTS OPTIONAL_COMPONENTS NO_POLICY_SCOPE GLOBAL NAMES CONFIGS HINTS PATHS".split()
 )
-_VERSION = re.compile(r"[\d.<>=]+")
+_VERSION = regex(r"[\d.<>=]+")
 #: Parts without a library.
 _PLAIN = frozenset(("headers", "boost"))
 

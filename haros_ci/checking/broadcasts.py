@@ -9,14 +9,15 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
 
 from haros_ci import syntax
 from haros_ci.code.body import last_part
+from haros_ci.records import dataclass, field
+from haros_ci.regex import regex
 from haros_ci.syntax import Block, Expression, Function, Program, Statement
 from haros_ci.syntax.walk import everything
 
-_SWITCH = re.compile(r"publish|broadcast|tf|transform|enable|use_|static", re.IGNORECASE)
+_SWITCH = regex(r"publish|broadcast|tf|transform|enable|use_|static", re.IGNORECASE)
 _READS = ("get_parameter", "get_parameter_or", "declare_parameter", "param", "getParam", "get_param", "getParamCached")
 _UNWRAPS = ("as_string", "get", "get_value", "get_parameter_value", "string_value", "value", "c_str")
 

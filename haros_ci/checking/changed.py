@@ -4,13 +4,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from haros_ci.changes.names import may_be_same
 from haros_ci.checking.project import Project
 from haros_ci.checking.system import Channel, End, System, SystemNode
 from haros_ci.checking.wording import line_of
 from haros_ci.model.changes import REMOVED, RENAMED, Change
+from haros_ci.records import dataclass
 
 #: How changes name the ends of kinds.
 WHATS = {

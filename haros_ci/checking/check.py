@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
 from enum import Enum
 from typing import Union
 
@@ -12,6 +11,7 @@ from haros_ci.checking.project import Project
 from haros_ci.checking.system import Channel, End, System, SystemNode
 from haros_ci.model.location import Location
 from haros_ci.model.presence import ALWAYS, Presence
+from haros_ci.records import dataclass
 from haros_ci.results.fix import Fix
 from haros_ci.results.rule import Level, Rule
 

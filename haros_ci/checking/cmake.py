@@ -6,12 +6,12 @@ from __future__ import annotations
 import posixpath
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING
 
 from haros_ci.model.build import CMakeCommand, Target
 from haros_ci.model.unbuilt import is_whole
+from haros_ci.records import dataclass
 
 if TYPE_CHECKING:
     from haros_ci.checking.project import ProjectPackage

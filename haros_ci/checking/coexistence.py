@@ -3,13 +3,13 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Iterable, Iterator
 from itertools import product
 from typing import TYPE_CHECKING
 
 from haros_ci.model.architecture import Condition
 from haros_ci.model.presence import together
+from haros_ci.regex import regex
 
 if TYPE_CHECKING:
     from haros_ci.checking.system import End
@@ -20,7 +20,7 @@ _DECIDED = ("if", "elif", "else")
 #: Longer conditions count as none of values alone.
 _LONGEST = 400
 #: A condition of values alone, which no parameter, argument or macro changes.
-_CONSTANT = re.compile(
+_CONSTANT = regex(
     r"(?:[\d\s()<>=!&|+*/%~^,.-]|\b(?:[tT]rue|[fF]alse|not|and|or|is|in|None|nullptr|NULL)\b|\"[^\"\\]*\"|'[^'\\]*')+"
 )
 

@@ -8,13 +8,13 @@ Compatibility follows the tables of "Quality of Service settings" (docs.ros.org)
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 
 from haros_ci.checking.coexistence import can_meet, is_never_made
 from haros_ci.checking.system import Channel, End, System
 from haros_ci.model.architecture import Qos
 from haros_ci.model.location import Location
 from haros_ci.model.presence import together
+from haros_ci.records import dataclass
 
 #: Statements of which only one side is taken.
 BRANCHES = frozenset(("if", "else", "elif", "switch", "case", "catch", "except", "#if", "unless"))

@@ -8,10 +8,11 @@ import sys
 
 from haros_ci.checking.likeness import is_slip
 from haros_ci.checking.project import ProjectPackage
+from haros_ci.regex import regex
 
-_MODULE = re.compile(r"([^=]+?)\s*=\s*([\w.]+)\s*\Z")
-_PAIR = re.compile(r"([^=]+?)\s*=\s*([^=]+?)\s*\Z")
-_JOINED = re.compile(r"[^=]+=\s*[\w.]+:\w+")
+_MODULE = regex(r"([^=]+?)\s*=\s*([\w.]+)\s*\Z")
+_PAIR = regex(r"([^=]+?)\s*=\s*([^=]+?)\s*\Z")
+_JOINED = regex(r"[^=]+=\s*[\w.]+:\w+")
 
 
 def entry_point_mistake(text: str, package: ProjectPackage) -> tuple[str, str]:

@@ -8,18 +8,17 @@ from functools import cached_property
 
 from haros_ci.checking.pages import pages
 from haros_ci.checking.project import Project, ProjectPackage
+from haros_ci.regex import regex
 
 #: What builds and sources a devel space.
-_DEVEL = re.compile(
-    r"\bdevel(?:_isolated)?/(?:local_)?setup\.|\bcatkin_make(?:_isolated)?\b|\bcatkin[ \t]+(?:build|b)\b"
-)
+_DEVEL = regex(r"\bdevel(?:_isolated)?/(?:local_)?setup\.|\bcatkin_make(?:_isolated)?\b|\bcatkin[ \t]+(?:build|b)\b")
 #: What builds or uses an install space or a Debian package, or leaves that to a build farm's tool. ``\`` at an end continues a line.
-_INSTALL = re.compile(
+_INSTALL = regex(
     r"\binstall(?:_isolated)?/(?:local_)?setup\.|\bcatkin\w*\b(?:[^\n]|\\\n){0,300}\binstall\b|\bbloom-(?:release|generate)\b"
     r"|\bdpkg-(?:buildpackage|deb)\b|\bdebuild\b|\bdebhelper\b|\bindustrial_ci\b|\baction-ros-ci\b|\bros_buildfarm\b|\bcpack\b|\bcolcon\b",
     re.IGNORECASE,
 )
-_DEBIAN = re.compile(r"(?:^|/)debian/(?:rules|control)(?:\.em)?$|(?:^|/)tracks\.yaml$")
+_DEBIAN = regex(r"(?:^|/)debian/(?:rules|control)(?:\.em)?$|(?:^|/)tracks\.yaml$")
 
 
 class DevelSpaces:

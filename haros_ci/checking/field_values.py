@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from haros_ci import syntax
 from haros_ci.checking.message_fields import Typed, expressions, typed_routines
@@ -20,6 +19,8 @@ from haros_ci.code.kinds import dotted
 from haros_ci.interfaces.definitions import FieldType, field_type
 from haros_ci.interfaces.structs import Struct
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass
+from haros_ci.regex import regex
 from haros_ci.syntax import Expression
 
 #: What calls return, by dotted names.
@@ -42,7 +43,7 @@ _FLOATS = frozenset(("float32", "float64"))
 _TEXTS = frozenset(("string", "wstring"))
 _TIMES = frozenset(("time", "duration", "builtin_interfaces/Time", "builtin_interfaces/Duration"))
 #: What sets names besides assignments.
-_SHARED = re.compile(r"\b(?:global|nonlocal|as|for)\s([^\n:]{1,200})")
+_SHARED = regex(r"\b(?:global|nonlocal|as|for)\s([^\n:]{1,200})")
 #: Functions with more assignments are tables.
 _MANY_SETS = 2_000
 #: Lists with more items are tables.

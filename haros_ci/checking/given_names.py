@@ -11,6 +11,7 @@ from haros_ci.checking.system import System, SystemNode
 from haros_ci.checking.whole import Whole
 from haros_ci.checking.written_names import is_written
 from haros_ci.model.architecture import RemapRule
+from haros_ci.regex import regex
 
 #: Of all systems that are seen together, what _ends() found.
 _FOUND: WeakKeyDictionary[Whole, Mapping[str, Mapping[str, frozenset[str]]]] = WeakKeyDictionary()
@@ -18,24 +19,24 @@ _FOUND: WeakKeyDictionary[Whole, Mapping[str, Mapping[str, frozenset[str]]]] = W
 _PARTS: WeakKeyDictionary[Whole, dict[str, bool]] = WeakKeyDictionary()
 #: What is read of a file, and how far before a string the call that it is given to may begin.
 _MOST, _BEFORE = 400_000, 400
-_COMMENT = re.compile(r"//[^\n]*|/\*.*?(?:\*/|\Z)", re.DOTALL)
-_HASH = re.compile(r"^[ \t]*#[^\n]*", re.MULTILINE)
+_COMMENT = regex(r"//[^\n]*|/\*.*?(?:\*/|\Z)", re.DOTALL)
+_HASH = regex(r"^[ \t]*#[^\n]*", re.MULTILINE)
 #: Calls that make no topic of a string: of parameters, transforms, messages for people, nodes and paths, conversions and look-ups.
-_OTHER = re.compile(
+_OTHER = regex(
     r"\w*param\w*|\w*transform\w*|\w*frame\w*|(?:ROS|RCLCPP|RCUTILS)_\w+|print\w*|log\w*|info|warn\w*|error|debug|fatal|init\w*|create_node"
     r"|Node|NodeHandle|__init__|get|at|find|count|erase|open|join|format|getenv|strcmp|compare|append|push_back|split|startswith|endswith"
     r"|if|while|for|switch|return|print|assert\w*|static_assert|raise|throw|\w*_?error|\w*exception",
     re.IGNORECASE,
 )
 #: A variable of a class in a namespace, plain or behind a pointer; namespaces whose classes are followed, or make no topics.
-_HELD = re.compile(
+_HELD = regex(
     r"\b(?<!\w::)(?:(?:std|boost)::(?:unique_ptr|shared_ptr|optional)<\s*)?((?:\w+::)+)(\w+)(?:<[^;{}()<>]{0,100}>)?[\s>]+(\w+)\s*[;({]"
 )
 _FOLLOWED = frozenset(
     "std ros rclcpp rclcpp_lifecycle tf tf2 tf2_ros boost Eigen message_filters image_transport sensor_msgs".split()
 )
 _HANDLE = r"\b{}\s*[({{][^;{{}}]{{0,200}}?\b(?:\w*nh\w*|\w*node_?handle\w*|shared_from_this\s*\(\s*\)|node_?)\s*[,)}}]"
-_CALLEE = re.compile(r"(?<!\w)(\w+)\s*(?:<[^;(){}]{0,200}>\s*)?(?:(?<!\w)\w+\s*)?$")
+_CALLEE = regex(r"(?<!\w)(\w+)\s*(?:<[^;(){}]{0,200}>\s*)?(?:(?<!\w)\w+\s*)?$")
 
 
 def is_given_away(node: SystemNode, rule: RemapRule, system: System) -> bool:

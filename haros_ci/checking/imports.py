@@ -14,13 +14,12 @@ from haros_ci.checking.provision import Sources, exists
 from haros_ci.checking.worlds import serves_both
 from haros_ci.model.launch_facts import ProgramUse
 from haros_ci.model.location import Location
+from haros_ci.regex import regex
 from haros_ci.syntax import Program
 
-_IMPORT = re.compile(r"^(?:import[ \t]+([^#\n;]+)|from[ \t]+([\w.]+)[ \t]+import\b)", re.M)
-_IMPORTS = re.compile(
-    r"^[ \t]*(?:import[ \t]+[^#\n;]+|from[ \t]+[\w.]+[ \t]+import[ \t]*(?:\([^()]*\)|[^#\n;]+))", re.M
-)
-_MAIN = re.compile(r"^if[ \t(]+__name__[ \t]*==[ \t]*['\"]__main__['\"]", re.M)
+_IMPORT = regex(r"^(?:import[ \t]+([^#\n;]+)|from[ \t]+([\w.]+)[ \t]+import\b)", re.M)
+_IMPORTS = regex(r"^[ \t]*(?:import[ \t]+[^#\n;]+|from[ \t]+[\w.]+[ \t]+import[ \t]*(?:\([^()]*\)|[^#\n;]+))", re.M)
+_MAIN = regex(r"^if[ \t(]+__name__[ \t]*==[ \t]*['\"]__main__['\"]", re.M)
 #: Modules of Python that other versions have, and those that come with every Python for ROS.
 _PYTHON = frozenset(
     "__builtin__ __main__ asynchat asyncore BaseHTTPServer binhex cPickle cStringIO cgi CGIHTTPServer commands ConfigParser Cookie cookielib "
@@ -42,11 +41,11 @@ _LAUNCHING = frozenset(
 )
 #: Commands that run Python files as tests, and what they run of a folder.
 _TESTING = ("ament_add_pytest_test", "ament_add_nose_test", "add_launch_test", "catkin_add_nosetests")
-_RUN = re.compile(r"/(test_[^/]*|[^/]*_test)\.py$")
-_ASIDE = re.compile(r"(^|/)(tests?|testing|docs?|examples?)/|(^|/)(conftest|setup)\.py$")
-_TEST = re.compile(r"(^|/)(test_[^/]*|[^/]*_test)\.py$")
+_RUN = regex(r"/(test_[^/]*|[^/]*_test)\.py$")
+_ASIDE = regex(r"(^|/)(tests?|testing|docs?|examples?)/|(^|/)(conftest|setup)\.py$")
+_TEST = regex(r"(^|/)(test_[^/]*|[^/]*_test)\.py$")
 #: What only tests have: the launch files of launch_testing, the cases of unittest, the functions and fixtures of pytest.
-_TEST_CODE = re.compile(
+_TEST_CODE = regex(
     r"^[ \t]*(?:async[ \t]+)?def[ \t]+(?:generate_test_description[ \t]*\(|test_\w+[ \t]*\()"
     r"|^[ \t]*(?:import|from)[ \t]+(?:launch_testing\w*|pytest)\b|^class[ \t]+\w+\([^()\n]*\bTestCase\b",
     re.MULTILINE,
@@ -62,7 +61,7 @@ _HOSTS = frozenset(
 )
 
 #: The interface of launch in ROS 2 Ardent: nothing starts such a file today.
-_OLD_LAUNCH = re.compile(
+_OLD_LAUNCH = regex(
     r"^[ \t]*(?:from|import)[ \t]+launch\.(?:legacy|exit_handler|output_handler|launcher|descriptor|loader|main)\b"
     r"|^def[ \t]+launch[ \t]*\([ \t]*\w+[ \t]*,[ \t]*argv\b",
     re.MULTILINE,

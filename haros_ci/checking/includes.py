@@ -6,20 +6,21 @@ from __future__ import annotations
 import posixpath
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import lru_cache
 
 from haros_ci.checking.project import ProjectPackage
 from haros_ci.checking.provision import Sources
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass
+from haros_ci.regex import regex
 
-_COMMENT = re.compile(r"/\*.*?(?:\*/|\Z)", re.S)  # one that is not closed goes to the end
-_DIRECTIVE = re.compile(r"^[ \t]*#[ \t]*(include|if|ifdef|ifndef|elif|else|endif|define)\b[ \t]*(.*)$", re.M)
-_GUARD = re.compile(r"(?:ifndef|if\s*!\s*defined(?:\s*\()?)\s*(\w+)")
-_TARGET = re.compile(r"([<\"])([^>\"\n]+)[>\"]")
+_COMMENT = regex(r"/\*.*?(?:\*/|\Z)", re.S)  # one that is not closed goes to the end
+_DIRECTIVE = regex(r"^[ \t]*#[ \t]*(include|if|ifdef|ifndef|elif|else|endif|define)\b[ \t]*(.*)$", re.M)
+_GUARD = regex(r"(?:ifndef|if\s*!\s*defined(?:\s*\()?)\s*(\w+)")
+_TARGET = regex(r"([<\"])([^>\"\n]+)[>\"]")
 _HEADERS = (".h", ".hh", ".hpp", ".hxx", ".h++", ".ipp", ".inl", ".tpp", ".cuh")
 #: Classes for which Qt's moc makes a source that includes their header.
-_MOC = re.compile(r"\bQ_(?:OBJECT|GADGET|NAMESPACE)\b")
+_MOC = regex(r"\bQ_(?:OBJECT|GADGET|NAMESPACE)\b")
 #: Files that one package may make a check look at.
 MAX_FILES = 5_000
 

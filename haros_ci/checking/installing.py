@@ -9,22 +9,23 @@ from collections.abc import Iterable, Iterator
 from haros_ci.checking.project import ProjectPackage
 from haros_ci.model.build import Installed
 from haros_ci.model.location import Location
+from haros_ci.regex import regex
 from haros_ci.results.fix import Edit, Fix
 
-_PACKAGE_CALL = re.compile(r"(?m)^(?:ament_package|ament_auto_package|autoware_ament_auto_package)[ \t]*\(")
+_PACKAGE_CALL = regex(r"(?m)^(?:ament_package|ament_auto_package|autoware_ament_auto_package)[ \t]*\(")
 #: The start of an install() in a comment; the line above which the template of catkin_create_pkg has there.
-_COMMENTED_CALL = re.compile(r"^[ \t]*#[ \t#]*install[ \t]*\(", re.IGNORECASE)
-_CALL = re.compile(r"^[ \t]*install[ \t]*\(", re.IGNORECASE)
+_COMMENTED_CALL = regex(r"^[ \t]*#[ \t#]*install[ \t]*\(", re.IGNORECASE)
+_CALL = regex(r"^[ \t]*install[ \t]*\(", re.IGNORECASE)
 #: A comment above a target by which it is not to be installed; and what makes one of a task, or of something else.
-_NOT_INSTALLED = re.compile(
+_NOT_INSTALLED = regex(
     r"\bnon-?[ ]?installed\b|\bnot[ ]+(?:to[ ]+be[ ]+|be[ ]+|being[ ]+)?install(?:ed|able)?\b|\b(?:don'?t|never)[ ]+install(?:ed)?\b|\bno[ ]+install\b"
     r"|\buninstalled\b|\bfor[ ]+(?:local[ ]+)?(?:development|developers|debugging)\b|\b(?:development|developers?|debugging)[ ]+only\b",
     re.IGNORECASE,
 )
-_TASK = re.compile(r"\b(?:todo|fixme|xxx|bug|why|if|when|unless|until|yet|might|may)\b|\?", re.IGNORECASE)
+_TASK = regex(r"\b(?:todo|fixme|xxx|bug|why|if|when|unless|until|yet|might|may)\b|\?", re.IGNORECASE)
 #: Lines of comments above a target that are read.
 _ABOVE = 2
-_WORD = re.compile(r"[\w./+${}-]+")
+_WORD = regex(r"[\w./+${}-]+")
 
 
 def left_out_on_purpose(package: ProjectPackage) -> frozenset[str]:

@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from functools import cached_property
 
 from haros_ci.changes.interfaces import Defined, InterfaceChange, interface_changes
@@ -14,10 +13,12 @@ from haros_ci.checking.project import Project
 from haros_ci.checking.system import End
 from haros_ci.interfaces.references import Reference, of_import, of_include, references_to
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass
+from haros_ci.regex import regex
 
 _KINDS = {kind: made for kinds, made in ((TOPIC, "msg"), (SERVICE, "srv"), (ACTION, "action")) for kind in kinds}
-_DIRECTIVE = re.compile(r"\s*#\s*(if(?:n?def)?|el\w+|endif|include|import)\b\s*(\w*)")
-_DEFINE = re.compile(r"\s*#\s*define\s+(\w+)")
+_DIRECTIVE = regex(r"\s*#\s*(if(?:n?def)?|el\w+|endif|include|import)\b\s*(\w*)")
+_DEFINE = regex(r"\s*#\s*define\s+(\w+)")
 #: In this many lines of a file an import is looked for.
 MAX_LINES = 100_000
 

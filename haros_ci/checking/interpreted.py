@@ -7,6 +7,7 @@ import re
 
 from haros_ci import syntax
 from haros_ci.checking.project import Project, ProjectPackage
+from haros_ci.regex import regex
 
 _PROSE = (".md", ".rst", "README.txt")
 #: A file that is given to an interpreter, or sourced.
@@ -15,11 +16,11 @@ _GIVEN = r"""(?:\bpython[\d.]*|(?i:python)\w*EXECUTABLE\}?|\b(?:source|sh|bash)|
 _READ = ("launch.py", "__init__.py", "setup.py", "conftest.py")
 _CMAKE = (".cmake", ".cmake.in", "CMakeLists.txt", ".cmake.em")
 #: Shell scripts that are sourced: by their names, by their lines, and by who names them.
-_SOURCED = re.compile(
+_SOURCED = regex(
     r"(?:^|[/_.-])(?:(?:local_)?setup|hooks?|completions?|complete|bashrc|zshrc|aliases|env(?:ironment)?)\.(?:ba|z)?sh$"
     r"|(?:^|/)(?:\w+[-_])?(?:hooks?|completions?)/[^/]+$|completion\.(?:ba|z)?sh$"
 )
-_SETTING = re.compile(r"#|export\b|source\b|\.\s|alias\b|unset\b|complete\b|[A-Za-z_]\w*=\S*$")
+_SETTING = regex(r"#|export\b|source\b|\.\s|alias\b|unset\b|complete\b|[A-Za-z_]\w*=\S*$")
 
 
 def is_given_to_another(path: str, package: ProjectPackage) -> bool:

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-import re
+from haros_ci.regex import regex
 
 #: cmake-commands(7), as patterns of whole names.
 _CMAKE = (
@@ -29,7 +29,7 @@ _ROS = (
     r"|rosidl_target_interfaces|rosidl_get_typesupport_target|rclcpp_components_register_nodes?|pluginlib_\w+|class_loader_\w+"
     r"|xacro_\w+|pybind11_\w+|cs_\w+|generate_parameter_library|generate_parameter_module"
 )
-_KNOWN = re.compile(f"(?:{_CMAKE}|{_MODULES}|{_ROS})")
+_KNOWN = regex(f"(?:{_CMAKE}|{_MODULES}|{_ROS})")
 
 
 def is_well_known(command: str) -> bool:

@@ -5,24 +5,25 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
-from dataclasses import dataclass
 
 from haros_ci.model.workspace import Workspace
+from haros_ci.records import dataclass
+from haros_ci.regex import regex
 
 #: What loads a launch file, and what asks for its arguments or has all of them.
-_LOADS = re.compile(
+_LOADS = regex(
     r"\bget_launch_description_from_\w+|\bParser\.load\b|\bParser\.parse_description\b|\bAnyLaunchDescriptionSource\b"
     r"|\broslaunch\.(?:xmlloader|config|arg_dump)\b|\bXmlLoader\b|\bROSLaunchConfig\b|\bload_config_default\b"
 )
-_ASKS = re.compile(
+_ASKS = regex(
     r"\blaunch_configurations\b|\bget_launch_arguments\w*|\bDeclareLaunchArgument\b|\b(?:dump|get)_args\b"
     r"|\broslaunch\.(?:xmlloader|arg_dump)\b|\bXmlLoader\b|\bROSLaunchConfig\b|\bload_config_default\b"
 )
 #: What is itself a launch file: it includes others and passes what they need.
-_LAUNCH = re.compile(r"^def[ \t]+generate_launch_description\b", re.MULTILINE)
+_LAUNCH = regex(r"^def[ \t]+generate_launch_description\b", re.MULTILINE)
 #: Where a launch file in Python declares an argument.
-_DECLARED = re.compile(r"""\bDeclareLaunchArgument\s*\(\s*(?:name\s*=\s*)?["']\w+["']""")
-_TEXT = re.compile(r"""["']([A-Za-z_]\w*)["']""")
+_DECLARED = regex(r"""\bDeclareLaunchArgument\s*\(\s*(?:name\s*=\s*)?["']\w+["']""")
+_TEXT = regex(r"""["']([A-Za-z_]\w*)["']""")
 
 
 @dataclass(frozen=True, slots=True)

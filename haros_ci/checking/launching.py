@@ -11,9 +11,10 @@ from haros_ci.checking.system import System
 from haros_ci.model.launch_facts import LaunchFact, PackageUse
 from haros_ci.model.location import Location
 from haros_ci.model.package import Package
+from haros_ci.regex import regex
 
 #: A comment of a launch file, in XML, Python or YAML.
-_COMMENT = re.compile(r"<!--.*?(?:-->|\Z)|(?:^|(?<=\s))#[^\n]*", re.DOTALL)
+_COMMENT = regex(r"<!--.*?(?:-->|\Z)|(?:^|(?<=\s))#[^\n]*", re.DOTALL)
 
 
 def owner(system: System, location: Location) -> Package | None:

@@ -9,7 +9,6 @@ a remapping rule, a namespace, a launch argument, or a parameter that holds the 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from haros_ci.changes.names import likeness, may_be_same, relative
 from haros_ci.checking.changed import both, lost_in
@@ -17,6 +16,7 @@ from haros_ci.checking.kinds import ACTION, SERVICE, TOPIC
 from haros_ci.checking.project import Project
 from haros_ci.checking.system import End
 from haros_ci.checking.whole_graph import COMMON, OTHER, WholeGraph, is_opaque
+from haros_ci.records import dataclass
 
 RENAMED, REMOVED, RETYPED = "renamed", "removed", "retyped"
 #: The end itself has another name, which nobody gives; those that it was connected to are still where they were.

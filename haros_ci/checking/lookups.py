@@ -3,26 +3,26 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from haros_ci.checking.imports import used_files
 from haros_ci.checking.optional import depends_on_package
 from haros_ci.checking.project import ProjectPackage
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass
+from haros_ci.regex import regex
 
-_CALL = re.compile(
+_CALL = regex(
     r"\b(get_package_share_directory|get_package_share_path|get_package_prefix|FindPackageShare|FindPackagePrefix"
     r"|package::getPath|RosPack\(\)\.get_path|(?:ros_?pack|_rp|\brp)\.get_path)\s*\(\s*(?:package(?:_name)?\s*=\s*)?[\"']([A-Za-z][\w-]*)[\"']\s*[,)]"
 )
 _WORDS = ("get_package_", "FindPackage", "getPath", "get_path")
 #: What asks whether a package is there, or is ready for it not to be: ``getPath`` gives an empty path then.
-_ASKS = re.compile(
+_ASKS = regex(
     r"PackageNotFoundError|get_packages_with_prefixes|ResourceNotFound|has_resource|get_resource\b|\.list\(\)|\.empty\(\)"
 )
 #: Of Python the same for ROS 1; what code of ROS 2 does is read by its statements.
-_ASKS_ROS_1 = re.compile(r"ResourceNotFound|\.list\(\)")
+_ASKS_ROS_1 = regex(r"ResourceNotFound|\.list\(\)")
 _LONG = 1_000_000
 
 

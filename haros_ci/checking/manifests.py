@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable
 
 from haros_ci.checking.project import ProjectPackage
@@ -13,8 +12,9 @@ from haros_ci.model.condition import evaluate
 from haros_ci.model.element import Element
 from haros_ci.model.location import Location
 from haros_ci.model.package import Dependency
+from haros_ci.regex import regex
 
-_VARIABLE = re.compile(r"\$(\w{1,100})")
+_VARIABLE = regex(r"\$(\w{1,100})")
 #: Variables that systems set, or that build farms do.
 _OF_SYSTEMS = frozenset(("ROS_PYTHON_VERSION", "ROS_OS_OVERRIDE", "PLATFORM", "DISTRIB_CODENAME", "DISTRIB_ID"))
 #: A distribution of ROS 2 that is yet to come.

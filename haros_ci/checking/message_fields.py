@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 
 from haros_ci import syntax
 from haros_ci.checking.code_text import alone
@@ -23,13 +22,15 @@ from haros_ci.code.kinds import attribute_values, dotted
 from haros_ci.interfaces.definitions import Definitions
 from haros_ci.interfaces.structs import Struct, Structs
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass
+from haros_ci.regex import regex
 from haros_ci.syntax import Block, Expression
 
-_INTERFACE = re.compile(r"\.(?:msg|srv|action)(?:\.|\Z)")
+_INTERFACE = regex(r"\.(?:msg|srv|action)(?:\.|\Z)")
 #: Code that asks which ROS it runs in is for both.
-_EITHER = re.compile(r"ros_version|ros_distro", re.I)
+_EITHER = regex(r"ros_version|ros_distro", re.I)
 #: Comments, and texts in one line.
-_NO_CODE = re.compile(r"#[^\n]*|\"[^\"\n]*\"|'[^'\n]*'")
+_NO_CODE = regex(r"#[^\n]*|\"[^\"\n]*\"|'[^'\n]*'")
 #: Functions by which code finds out what an object has, or gives it more.
 ASKING = frozenset(("hasattr", "getattr", "setattr", "isinstance", "type", "vars", "dir", "cast", "delattr"))
 #: Where the type and the callback are among the arguments of a registration, and which parts its parameters get.

@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 from functools import lru_cache
 
 from haros_ci.checking.boost import HEADERS, brings_boost
@@ -16,6 +15,8 @@ from haros_ci.checking.provision import Provisions, Sources, exists, first_provi
 from haros_ci.knowledge.knowledge import Knowledge
 from haros_ci.model.build import CMakeCommand
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass
+from haros_ci.regex import regex
 
 #: Commands that bring files from elsewhere into a build, which a reader of the sources does not see.
 _FETCHING = (
@@ -41,8 +42,8 @@ _PKG_CONFIG = ("pkg_check_modules", "pkg_search_module")
 _VENDOR = "_vendor"
 #: Of a call so many lines are looked at.
 MAX_LINES = 200
-_QT = re.compile(r"Qt([456])")
-_TESTING = re.compile(r"^[ \t]*(?:else)?if[ \t]*\([^)\n]*\b(?:CATKIN_ENABLE_TESTING|BUILD_TESTING)\b", re.I | re.M)
+_QT = regex(r"Qt([456])")
+_TESTING = regex(r"^[ \t]*(?:else)?if[ \t]*\([^)\n]*\b(?:CATKIN_ENABLE_TESTING|BUILD_TESTING)\b", re.I | re.M)
 
 
 @dataclass(frozen=True, slots=True)

@@ -10,20 +10,19 @@ from functools import lru_cache
 from haros_ci.checking.branches import Span, is_in, parsed
 from haros_ci.checking.system import System
 from haros_ci.model.location import Location
+from haros_ci.regex import regex
 
 _NAMES = r"(?:ardent|bouncy|crystal|dashing|elo?quent|elequent|foxy)"
 #: A file or directory that is called after one is not for a later one, and neither is one that is called old.
-_PATH = re.compile(
+_PATH = regex(
     rf"(?:^|[/_.-])(?:{_NAMES}|old|legacy|deprecated|obsolete|archived?|pre_?galactic)(?=$|[/_.-])", re.IGNORECASE
 )
-_OLD = re.compile(rf"\b{_NAMES}\b|\bold(?:er)? (?:ros ?2? )?(?:version|release|distribution|distro)s?\b", re.IGNORECASE)
+_OLD = regex(rf"\b{_NAMES}\b|\bold(?:er)? (?:ros ?2? )?(?:version|release|distribution|distro)s?\b", re.IGNORECASE)
 _NEW_NAMES = r"(?:galactic|humble|iron|jazzy|kilted|lyrical|rolling)"
-_NEW = re.compile(rf"\b{_NEW_NAMES}\b", re.IGNORECASE)
+_NEW = regex(rf"\b{_NEW_NAMES}\b", re.IGNORECASE)
 #: A branch for a later distribution; it may be called after it.
-_BRANCH = re.compile(r"\bbranch|\bcheckout\b|\s-b\s|/tree/", re.IGNORECASE)
-_PAGE = re.compile(
-    r"(?:readme[^/]*|dockerfile[^/]*|\.travis\.yml|\.gitlab-ci\.yml|\.github/workflows/[^/]+\.ya?ml)", re.I
-)
+_BRANCH = regex(r"\bbranch|\bcheckout\b|\s-b\s|/tree/", re.IGNORECASE)
+_PAGE = regex(r"(?:readme[^/]*|dockerfile[^/]*|\.travis\.yml|\.gitlab-ci\.yml|\.github/workflows/[^/]+\.ya?ml)", re.I)
 #: Of one page so much is read.
 _MAX = 200_000
 

@@ -10,15 +10,16 @@ import string
 import symtable
 import warnings
 from collections.abc import Collection, Iterator, Mapping
-from dataclasses import dataclass
 
+from haros_ci.records import dataclass
+from haros_ci.regex import regex
 from haros_ci.results.code_alone import code_alone
 
 MAX_SOURCE = 500_000
-_PRINT = re.compile(r"(^[ \t]*|[:;][ \t]*)print[ \t]*(?:>>[ \t]*|(?<=[ \t])(?=[\"'\w\[{`-]))", re.MULTILINE)
-_EXCEPT = re.compile(r"^([ \t]*except[ \t]+[\w.]+|[ \t]*except[ \t]*\([\w., \t]+\)),[ \t]*(\w+)[ \t]*:", re.MULTILINE)
-_RAISE = re.compile(r"^([ \t]*raise[ \t]+[\w.]+),[ \t]*(.+)$", re.MULTILINE)
-_OCTAL = re.compile(r"(?<![\w.])0([0-7]+)[lL]?(?![\w.])")
+_PRINT = regex(r"(^[ \t]*|[:;][ \t]*)print[ \t]*(?:>>[ \t]*|(?<=[ \t])(?=[\"'\w\[{`-]))", re.MULTILINE)
+_EXCEPT = regex(r"^([ \t]*except[ \t]+[\w.]+|[ \t]*except[ \t]*\([\w., \t]+\)),[ \t]*(\w+)[ \t]*:", re.MULTILINE)
+_RAISE = regex(r"^([ \t]*raise[ \t]+[\w.]+),[ \t]*(.+)$", re.MULTILINE)
+_OCTAL = regex(r"(?<![\w.])0([0-7]+)[lL]?(?![\w.])")
 #: What Python 2 has besides (docs.python.org/2/library/functions.html), and what every module has.
 _NAMES = frozenset(dir(builtins)) | frozenset(
     """
@@ -27,17 +28,17 @@ _NAMES = frozenset(dir(builtins)) | frozenset(
     """.split()
 )
 #: How a module is loaded that may be given names from outside.
-LOADS = re.compile(
+LOADS = regex(
     r"\bload_source\b|\bload_module\b|\bexec_module\b|\bimport_module\b|\b__import__\b|\bexecfile\b|\bexec[ \t(]"
 )
 #: What defines names in ways that no table shows, or asks for a name that may be missing.
-_OPEN = re.compile(
+_OPEN = regex(
     r"\bimport[ \t]*(?:\([ \t]*)?\*|\bexec\b|\bexecfile\b|\bglobals[ \t]*\(|\blocals[ \t]*\(|\bNameError\b|\b__builtin__\b|\bvars[ \t]*\("
 )
-_PLACE = re.compile(r"%(?:\((\w*)\))?[#0\- +]*(\*|\d+)?(?:\.(\*|\d+))?[hlL]?([diouxXeEfFgGcrsa%])")
+_PLACE = regex(r"%(?:\((\w*)\))?[#0\- +]*(\*|\d+)?(?:\.(\*|\d+))?[hlL]?([diouxXeEfFgGcrsa%])")
 #: An import or an assignment in a comment: all that is imported, and what is assigned.
-_COMMENTED = re.compile(r"#[#\s]*(?:(?:from[ \t]+[\w.]+[ \t]+)?import\b[^#;]*|[A-Za-z_]\w*[ \t]*=(?!=))")
-_WORD = re.compile(r"[A-Za-z_]\w*")
+_COMMENTED = regex(r"#[#\s]*(?:(?:from[ \t]+[\w.]+[ \t]+)?import\b[^#;]*|[A-Za-z_]\w*[ \t]*=(?!=))")
+_WORD = regex(r"[A-Za-z_]\w*")
 _LOGS = frozenset("logdebug loginfo logwarn logerr logfatal debug info warn warning error critical fatal".split())
 
 

@@ -5,12 +5,13 @@ from __future__ import annotations
 
 import re
 from bisect import bisect_right
-from dataclasses import dataclass, field
 
 from haros_ci.model.element import Element
+from haros_ci.records import dataclass, field
+from haros_ci.regex import regex
 from haros_ci.results.fix import Edit, Point
 
-_PIECE = re.compile(
+_PIECE = regex(
     r"<!--.*?-->|<!\[CDATA\[.*?\]\]>|<\?.*?\?>|<(?P<close>/)?(?P<tag>[^\s/<>!?]+)(?=[\s/>])(?P<rest>(?:[^<>\"']|\"[^\"]*\"|'[^']*')*)>",
     re.S,
 )

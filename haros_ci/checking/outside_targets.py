@@ -8,6 +8,7 @@ import re
 from collections.abc import Iterator
 
 from haros_ci.checking.project import ProjectPackage
+from haros_ci.regex import regex
 
 #: Commands that take another project's CMake into this build (FetchContent, CPM, corrosion).
 _FETCHING = (
@@ -22,7 +23,7 @@ _OF_CMAKE = frozenset(
     python3 pythoninterp pythonlibs qt4 qt5 qt6 sdl sdl2 sqlite3 subversion swig threads tiff tinyxml tinyxml2 udev wget x11 zlib
     """.split()
 )
-_SUBDIRECTORY = re.compile(r"(?mi)^[ \t]*add_subdirectory[ \t]*\([ \t\n]*\"?([^\s\")]+)")
+_SUBDIRECTORY = regex(r"(?mi)^[ \t]*add_subdirectory[ \t]*\([ \t\n]*\"?([^\s\")]+)")
 
 
 def may_have_more(package: ProjectPackage) -> bool:

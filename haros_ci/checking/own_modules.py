@@ -7,7 +7,6 @@ import ast
 import re
 import sys
 from collections.abc import Iterator
-from dataclasses import dataclass, field
 from difflib import get_close_matches
 
 from haros_ci.checking.appearing import may_appear
@@ -17,9 +16,11 @@ from haros_ci.checking.project import ProjectPackage
 from haros_ci.checking.provision import Sources
 from haros_ci.model.build import EntryPoint
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass, field
+from haros_ci.regex import regex
 
 #: What lets Python find modules elsewhere, or makes them while it runs.
-_SEARCHING = re.compile(
+_SEARCHING = regex(
     r"\bsys\.(?:path|modules|meta_path)\b|\b__path__\b|\bimportlib\b|\baddsitedir\b|\bextend_path\b|\bos\.chdir\b"
 )
 #: What the build makes in a package of Python: interfaces, reconfigurations and extensions.
@@ -44,7 +45,7 @@ _DATA = (
     ".orig",
 )
 #: How CMake or setup.py says that a build makes modules of C or C++, under names that may stand in no file of the package's own.
-_EXTENSIONS = re.compile(
+_EXTENSIONS = regex(
     r"pybind11|nanobind|swig|cython|cffi|python\d?_add_\w+|python\d?libs|boost\W{1,40}(?:\w+\W{1,9}){0,20}python|python\d?\W[^()]{0,200}\bdevelopment\b|ext_modules|\bextension\b",
     re.IGNORECASE,
 )

@@ -4,14 +4,14 @@
 from __future__ import annotations
 
 import ast
-import re
 from collections.abc import Iterator
 from functools import lru_cache
 
 from haros_ci.checking.branches import parsed
+from haros_ci.regex import regex
 
 #: What may give a module further names: what is imported from elsewhere, and names that are made while it runs.
-_MADE = re.compile(
+_MADE = regex(
     r"\bimport[ \t]*\(?[ \t]*\*|\b__getattr__\b|\b__dict__\b|\b(?:globals|locals|vars|setattr|exec|eval)[ \t]*\(|\bsys\.modules\b|\bimportlib\b"
 )
 _FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef)

@@ -21,7 +21,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
+
+from haros_ci.records import dataclass, field
+from haros_ci.regex import regex
 
 #: Titles of the files of the base revision begin with it.
 BASE = "base/"
@@ -29,9 +31,9 @@ BASE = "base/"
 KINDS = {"msg": "message", "srv": "service", "action": "action"}
 #: Sections that a page has, in this order.
 SECTIONS = ("What it finds", "Why it matters", "Bad", "Good", "Limits")
-_FENCE = re.compile(r"^```(\w*)[ \t]+title=\"([^\"\n]+)\"[ \t]*(executable)?[ \t]*\n(.*?)^```[ \t]*$", re.M | re.S)
-_HEAD = re.compile(r"^(#{1,3}) (.+)$", re.M)
-_EXPECT = re.compile(r"\bexpect(-next)?: ([a-z0-9-]+)")
+_FENCE = regex(r"^```(\w*)[ \t]+title=\"([^\"\n]+)\"[ \t]*(executable)?[ \t]*\n(.*?)^```[ \t]*$", re.M | re.S)
+_HEAD = regex(r"^(#{1,3}) (.+)$", re.M)
+_EXPECT = regex(r"\bexpect(-next)?: ([a-z0-9-]+)")
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,15 +9,16 @@ from weakref import WeakKeyDictionary
 from haros_ci.checking.project import Project
 from haros_ci.checking.system import System, SystemNode
 from haros_ci.model.architecture import Parameter
+from haros_ci.regex import regex
 
 #: What loads plug-ins, itself or in a library that does.
-_LOADS = re.compile(
+_LOADS = regex(
     r"\bClassLoader\s*<|\bMultiLibraryClassLoader\b|\bcreate(?:Unmanaged|Shared|Unique)?Instance\s*[(<]|\bFilterChain\s*<|\bMultiChannelFilterChain\s*<"
     r"|\bPlanningPipeline\b|\bMoveItCpp\b|\bCostmap2DROS\b|\bLayeredCostmap\b|\bMoveGroupExe\b"
     r"|\bControllerManager\b|\bcontroller_manager::|\bCombinedRobotHW\b|\bmbf_\w+::|\bAbstractNavigationServer\b|\bnav2_\w+::"
 )
 #: What loads the plug-ins for kinematics.
-_KINEMATICS = re.compile(
+_KINEMATICS = regex(
     r"\bRobotModelLoader\b|\bMoveGroupInterface\b|\bPlanningSceneMonitor\b|\bMoveGroupCommander\b|\bKinematicsPluginLoader\b"
 )
 _CODE = ("cpp", "python")

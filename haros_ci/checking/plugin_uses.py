@@ -5,34 +5,35 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from haros_ci.bounded_yaml import YamlFault, YamlLimits, nodes
 from haros_ci.checking.system import System
 from haros_ci.model.architecture import Parameter
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass
+from haros_ci.regex import regex
 
 if TYPE_CHECKING:
     import yaml
 
 #: The look-up name of a plug-in: ``package/Class`` or ``space::Class``.
 PLUGIN_NAME = r"[A-Za-z_]\w*(?:(?:::|/)[A-Za-z_]\w*)+"
-_PAIR = re.compile(rf"""(?:^|[\s,{{\[])["']?([\w.]+)["']?\s*:\s*(["']?)({PLUGIN_NAME})\2\s*(?=[,}}\]]|\s#|$)""")
-_ITEM = re.compile(rf"""^(\s*)-\s+(["']?)({PLUGIN_NAME})\2\s*(?:\s#.*)?$""")
-_INLINE = re.compile(r"""^(\s*)(?:-\s+)?["']?([\w.]+)["']?\s*:\s*\[(.*)\]\s*(?:\s#.*)?$""")
-_HEAD = re.compile(r"""^(\s*)(?:-\s+)?["']?([\w.]+)["']?\s*:\s*(?:#.*)?$""")
-_WORD = re.compile(rf"""(?:^|,)\s*(["']?)({PLUGIN_NAME})\1\s*(?=,|$)""")
+_PAIR = regex(rf"""(?:^|[\s,{{\[])["']?([\w.]+)["']?\s*:\s*(["']?)({PLUGIN_NAME})\2\s*(?=[,}}\]]|\s#|$)""")
+_ITEM = regex(rf"""^(\s*)-\s+(["']?)({PLUGIN_NAME})\2\s*(?:\s#.*)?$""")
+_INLINE = regex(r"""^(\s*)(?:-\s+)?["']?([\w.]+)["']?\s*:\s*\[(.*)\]\s*(?:\s#.*)?$""")
+_HEAD = regex(r"""^(\s*)(?:-\s+)?["']?([\w.]+)["']?\s*:\s*(?:#.*)?$""")
+_WORD = regex(rf"""(?:^|,)\s*(["']?)({PLUGIN_NAME})\1\s*(?=,|$)""")
 #: Keys whose values are look-up names: of navigation, moveit, costmaps, ros2_control.
-_SURE = re.compile(
+_SURE = regex(
     r"(?:\w*_)?plugins?|base_(?:global|local)_planner|kinematics_solver|planning_plugins?|(?:request|response)_adapters|capabilities"
 )
 #: Keys whose values are look-up names at times.
-_PERHAPS = re.compile(r"type|class|class_name|\w*_class")
+_PERHAPS = regex(r"type|class|class_name|\w*_class")
 
 #: Keys whose values are the names of sections, each with a plug-in, and names as they may be.
-_IDS = re.compile(r"(?:\w*_)?plugins?|\w+_plugin_(?:ids?|names?|types?)")
-_ID = re.compile(r"[A-Za-z_][\w.-]*")
+_IDS = regex(r"(?:\w*_)?plugins?|\w+_plugin_(?:ids?|names?|types?)")
+_ID = regex(r"[A-Za-z_][\w.-]*")
 _LIMITS = YamlLimits(characters=500_000, depth=50, values=50_000, aliases=100)
 
 

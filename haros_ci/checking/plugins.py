@@ -6,12 +6,13 @@ from __future__ import annotations
 import posixpath
 import re
 from collections.abc import Iterable
-from dataclasses import dataclass
 from functools import lru_cache
 
 from haros_ci.checking.project import Project, ProjectPackage
 from haros_ci.model.build import Target
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass
+from haros_ci.regex import regex
 from haros_ci.syntax import Program
 
 #: Macros that register a class with its base, both by the text of the argument (class_loader, register_macro.hpp).
@@ -23,7 +24,7 @@ DECLARE = "PLUGINLIB_DECLARE_CLASS"
 _EXPORT = "pluginlib_export_plugin_description_file"
 #: What a user asks for a plug-in in: code, parameters, launch files, robots.
 _ASKING = (".cpp", ".cc", ".cxx", ".hpp", ".h", ".py", ".yaml", ".yml", ".launch", ".xml", ".xacro", ".urdf", ".json")
-_LOADER = re.compile(r'[({]\s*"([a-z]\w*)"\s*,\s*"(\w+(?:::\w+)+)"\s*[,)}]')
+_LOADER = regex(r'[({]\s*"([a-z]\w*)"\s*,\s*"(\w+(?:::\w+)+)"\s*[,)}]')
 #: Commands that say how a target is compiled.
 _DEFINING = ("target_compile_definitions", "target_compile_options", "set_target_properties", "set_property")
 

@@ -3,10 +3,8 @@
 
 from __future__ import annotations
 
-import re
 import sys
 from collections.abc import Callable, Hashable, Iterator, Mapping
-from dataclasses import dataclass
 from functools import cached_property
 from typing import TypeVar, cast
 
@@ -14,6 +12,8 @@ from haros_ci.checking.manifests import counted
 from haros_ci.checking.project import Project, ProjectPackage
 from haros_ci.model.location import Location
 from haros_ci.model.package import Package
+from haros_ci.records import dataclass
+from haros_ci.regex import regex
 
 T = TypeVar("T")
 
@@ -21,7 +21,7 @@ T = TypeVar("T")
 OF_PYTHON = frozenset(sys.stdlib_module_names) - frozenset(
     "asynchat asyncore cgi crypt distutils ensurepip idlelib imp lib2to3 pipes smtpd telnetlib test tkinter tomllib turtle turtledemo venv".split()
 )
-_PYTHON = re.compile(r"(?:python3?|python2)-(.+?)(?:-pip)?$")
+_PYTHON = regex(r"(?:python3?|python2)-(.+?)(?:-pip)?$")
 #: What is not there because another package needs it.
 _OWN_ONLY = ("test_depend", "doc_depend")
 

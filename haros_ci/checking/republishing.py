@@ -8,26 +8,28 @@ from collections.abc import Iterator
 from functools import lru_cache
 from itertools import chain, islice
 
+from haros_ci.regex import regex
+
 #: What asks for subscribers, or hears of new ones.
-_ASKS = re.compile(
+_ASKS = regex(
     r"\b(?:get_(?:intra_process_)?subscription_count|getNumSubscribers|get_num_connections|count_subscribers|getSubscriberCount"
     r"|matched_callback|PublisherEventCallbacks|SubscribeListener|peer_subscribe|SubscriberStatusCallback)\b"
 )
 #: Calls whose functions run again and again, or on request.
-_AGAIN = re.compile(
+_AGAIN = regex(
     r"\b(?:create_(?:wall_)?timer|create(?:Wall|Steady)?Timer|create_service|create_server|advertiseService|Timer|Service|ActionServer"
     r"|create_rate|add_on_set_parameters_callback)\s*(?:<[^<>;]{0,200}>\s*)?\("
 )
-_LOOP = re.compile(r"\bwhile\b[^\n;]{0,200}|\bfor\s*\(\s*;\s*;\s*\)")
-_WAITS = re.compile(r"\b(?:sleep|sleep_for|sleep_until|spin_some|spin_once|spinOnce|wait)\b")
-_PUBLISHER = re.compile(
+_LOOP = regex(r"\bwhile\b[^\n;]{0,200}|\bfor\s*\(\s*;\s*;\s*\)")
+_WAITS = regex(r"\b(?:sleep|sleep_for|sleep_until|spin_some|spin_once|spinOnce|wait)\b")
+_PUBLISHER = regex(
     r"\b(?:([A-Za-z_]\w*)\s*(?:\[[^\]\n]{0,100}\]\s*)?(?::[\w.\[\], ]{1,100})?=(?!=)\s*|([A-Za-z_]\w*)\s*[({]\s*)"
     r"(?:[\w.>()\[\]:&* -]{0,80}[.>:]\s*)?(?:create_publisher|advertise)\b"
 )
-_FUNCTION = re.compile(r"\b([A-Za-z_]\w*)\s*\([^;{}]{0,400}\)[^;{}()]{0,100}\{")
-_DEF = re.compile(r"^([ \t]*)(?:async[ \t]+)?def[ \t]+(\w+)[ \t]*\(", re.MULTILINE)
-_OUTERMOST = re.compile(r"^(?:while|if[ \t]+__name__)\b", re.MULTILINE)
-_CALL = re.compile(r"\b([A-Za-z_]\w*)\b")
+_FUNCTION = regex(r"\b([A-Za-z_]\w*)\s*\([^;{}]{0,400}\)[^;{}()]{0,100}\{")
+_DEF = regex(r"^([ \t]*)(?:async[ \t]+)?def[ \t]+(\w+)[ \t]*\(", re.MULTILINE)
+_OUTERMOST = regex(r"^(?:while|if[ \t]+__name__)\b", re.MULTILINE)
+_CALL = regex(r"\b([A-Za-z_]\w*)\b")
 _NO_FUNCTIONS = frozenset(("if", "for", "while", "switch", "catch"))
 #: So much of a file, and of an argument list, is looked at.
 _MAX = 200_000

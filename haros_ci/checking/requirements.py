@@ -10,46 +10,45 @@ from functools import lru_cache
 from haros_ci.checking.project import Project, ProjectPackage
 from haros_ci.model.location import Location
 from haros_ci.model.told_distribution import is_page
+from haros_ci.regex import regex
 
 _NAME = r"([A-Za-z0-9][\w.-]{0,100}?)[ \t]{0,9}(?:\[[\w ,.-]{0,200}\])?"
 _RULE = r"[ \t]{0,9}\(?(?:===?|[<>~!]=|[<>])[ \t]{0,9}v?\d"
 #: A line of requirements.txt or of ``install_requires`` in setup.cfg, and a quoted one in setup.py and pyproject.toml (PEP 508).
-_LINE = re.compile(rf"^[ \t]*{_NAME}{_RULE}", re.MULTILINE)
-_QUOTED = re.compile(rf"""["']{_NAME}{_RULE}""")
+_LINE = regex(rf"^[ \t]*{_NAME}{_RULE}", re.MULTILINE)
+_QUOTED = regex(rf"""["']{_NAME}{_RULE}""")
 #: A dependency as Poetry writes it: ``scipy = "^1.9"``.
-_POETRY = re.compile(
+_POETRY = regex(
     r"""^([A-Za-z0-9][\w.-]{0,100})[ \t]{0,9}=[ \t]{0,9}(?:\{[^}\n]{0,300}\bversion[ \t]{0,9}=[ \t]{0,9})?["'][\^~<>=!]*[ \t]*\d""",
     re.MULTILINE,
 )
-_POETRY_PART = re.compile(
-    r"^\[tool\.poetry\.(?:group\.[\w-]+\.)?dependencies\][ \t]*\n((?:(?!\[).*\n?)*)", re.MULTILINE
-)
-_REQUIREMENTS = re.compile(r"requirements?(?:[-_.][\w.-]+)?\.(?:txt|in)")
+_POETRY_PART = regex(r"^\[tool\.poetry\.(?:group\.[\w-]+\.)?dependencies\][ \t]*\n((?:(?!\[).*\n?)*)", re.MULTILINE)
+_REQUIREMENTS = regex(r"requirements?(?:[-_.][\w.-]+)?\.(?:txt|in)")
 _FILES = ("setup.py", "setup.cfg", "pyproject.toml")
 _MAX = 200_000
 
 #: A line of requirements.txt or setup.cfg, whatever its version, and the items of a list in setup.py and pyproject.toml.
-_PLAIN = re.compile(rf"^[ \t]*{_NAME}[ \t]{{0,9}}(?:$|[#;<>=!~(@])", re.MULTILINE)
-_ITEM = re.compile(rf"""["']{_NAME}[ \t]{{0,9}}(?=["';<>=!~(@])""")
-_REQUIRES = re.compile(
+_PLAIN = regex(rf"^[ \t]*{_NAME}[ \t]{{0,9}}(?:$|[#;<>=!~(@])", re.MULTILINE)
+_ITEM = regex(rf"""["']{_NAME}[ \t]{{0,9}}(?=["';<>=!~(@])""")
+_REQUIRES = regex(
     r"(?:\binstall_requires[\"']?[ \t]*[=:]|^dependencies[ \t]*=)\s*[\[(]((?:[^\[\]()]|\[[^\[\]\n]{0,200}\]|\([^()\n]{0,200}\)){0,5000})[\])]",
     re.MULTILINE,
 )
-_CFG_PART = re.compile(r"^install_requires[ \t]*=([^\n]*(?:\n(?:[ \t]+[^\n]*)?(?=\n|\Z))*)", re.MULTILINE)
-_POETRY_NAME = re.compile(r"^([A-Za-z0-9][\w.-]{0,100})[ \t]{0,9}=", re.MULTILINE)
-_REMARK = re.compile(r"^[ \t]*#[^\n]*", re.MULTILINE)
+_CFG_PART = regex(r"^install_requires[ \t]*=([^\n]*(?:\n(?:[ \t]+[^\n]*)?(?=\n|\Z))*)", re.MULTILINE)
+_POETRY_NAME = regex(r"^([A-Za-z0-9][\w.-]{0,100})[ \t]{0,9}=", re.MULTILINE)
+_REMARK = regex(r"^[ \t]*#[^\n]*", re.MULTILINE)
 #: What installs a file of requirements.
-_PIP_INSTALL = re.compile(r"\bpip[23]?[ \t]+install\b((?:[^\n;&|\\]|\\\n){0,400})")
-_REQUIREMENTS_FILE = re.compile(r"(?:-r|--requirement)[ \t=]{0,9}[\"']?([\w./${}~-]{1,200}\.(?:txt|in))")
+_PIP_INSTALL = regex(r"\bpip[23]?[ \t]+install\b((?:[^\n;&|\\]|\\\n){0,400})")
+_REQUIREMENTS_FILE = regex(r"(?:-r|--requirement)[ \t=]{0,9}[\"']?([\w./${}~-]{1,200}\.(?:txt|in))")
 
 _READMES = ("README.md", "README.rst", "README.txt", "README")
 #: A sentence, an item of a list, or a row of a table.
-_SENTENCE = re.compile(r"(?:[^\s.]|\.(?!\s)|[ \t]|\n(?!\s*(?:\n|[-*+|#]|\d+\.))){1,2000}")
-_OPTIONAL = re.compile(
+_SENTENCE = regex(r"(?:[^\s.]|\.(?!\s)|[ \t]|\n(?!\s*(?:\n|[-*+|#]|\d+\.))){1,2000}")
+_OPTIONAL = regex(
     r"\boptional(?:ly)?\b|\bnot (?:strictly )?(?:required|needed)\b|\bmanaged (?:by|with|through|in|separately)\b|\binstall(?:ed)? (?:separately|by hand|manually)\b",
     re.IGNORECASE,
 )
-_WORD = re.compile(r"[A-Za-z][\w-]{1,60}")
+_WORD = regex(r"[A-Za-z][\w-]{1,60}")
 
 #: What pip calls the distribution of a module that has another name (its own page in the package index).
 _CALLED = {

@@ -12,6 +12,7 @@ from haros_ci.checking.project import Project
 from haros_ci.checking.wording import listed
 from haros_ci.model.location import Location
 from haros_ci.model.robot import Description, Thing, Way
+from haros_ci.regex import regex
 from haros_ci.results.rule import Level
 
 #: Names that a message lists, and places that a finding relates.
@@ -19,7 +20,7 @@ _NAMED = 3
 _SHOWN = 40
 #: Languages of files whose text may name a description, and libraries that read one without urdfdom.
 _NAMING = ("launch", "python", "cpp", "xml", "yaml", "shell", "cmake")
-_READERS = re.compile(
+_READERS = regex(
     r"^[ \t]*(?:import|from)[ \t]+(ikpy|pybullet|pinocchio|kinpy|urdfpy|yourdfpy|pytorch_kinematics|urchin)\b",
     re.MULTILINE,
 )

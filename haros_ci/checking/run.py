@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from haros_ci.checking.check import About, Check, Finding
 from haros_ci.checking.kinds import ACTION, SERVICE, TOPIC
@@ -16,6 +16,7 @@ from haros_ci.checking.unrun_cmake import of_what_is_run
 from haros_ci.model.location import Location
 from haros_ci.model.presence import assignment, in_words, together
 from haros_ci.model.workspace import Workspace
+from haros_ci.records import dataclass
 from haros_ci.results.fix import is_counted_alike
 from haros_ci.results.result import Graph, Notification, Related, Result, Vertex
 from haros_ci.results.rule import Level

@@ -7,10 +7,11 @@ import re
 
 from haros_ci.checking.project import ProjectPackage
 from haros_ci.model.build import Installed
+from haros_ci.regex import regex
 
-_ROSPY = re.compile(r"^(?:import|from)[ \t]+rospy\b", re.MULTILINE)
+_ROSPY = regex(r"^(?:import|from)[ \t]+rospy\b", re.MULTILINE)
 #: A program that is ready for the other client library, or for none.
-_EITHER = re.compile(
+_EITHER = regex(
     r"\brclpy\b|\bROS_VERSION\b|^[ \t]*except\b[^\n]{0,100}\b(?:ImportError|ModuleNotFoundError)\b", re.MULTILINE
 )
 

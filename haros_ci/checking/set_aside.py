@@ -9,16 +9,17 @@ from posixpath import basename
 
 from haros_ci.checking.check import Finding
 from haros_ci.model.workspace import Workspace
+from haros_ci.regex import regex
 from haros_ci.results.rule import Level
 
 _ARCHIVES = frozenset(
     "archive archived archives attic backup backups deprecated graveyard legacy obsolete old temp tmp trash unused".split()
 )
 #: What file managers call a copy: ``Copy of drive.launch``, ``drive (copy).launch``, ``drive (2).launch``.
-_COPY = re.compile(r"(?:copy of .+|[^.]+ ?\((?:copy|\d{1,3})\).*|[^.]+[ _-]+copy(?:[ _-]?\d{1,3})?\..+)", re.IGNORECASE)
+_COPY = regex(r"(?:copy of .+|[^.]+ ?\((?:copy|\d{1,3})\).*|[^.]+[ _-]+copy(?:[ _-]?\d{1,3})?\..+)", re.IGNORECASE)
 #: A version that somebody has kept beside ``drive.launch.py``: ``drive_old.launch.py``, ``drive.launch.backup2.py``, ``old_drive.launch.py``.
 _WORDS = "backup|bak|deprecated|obsolete|old|orig|original|unused"
-_KEPT = re.compile(
+_KEPT = regex(
     rf"(?P<stem>[^.]+(?:\.launch)?)[._ -](?:{_WORDS})\d{{0,8}}(?:[_-]\w{{1,60}})?(?:\.launch)?\.(?:launch|py|xml|ya?ml)"
     rf"|(?:{_WORDS})[_-](?P<whole>.+)",
     re.IGNORECASE,

@@ -8,22 +8,21 @@ from collections.abc import Iterable
 from posixpath import basename, splitext
 
 from haros_ci.checking.project import Project, ProjectPackage
+from haros_ci.regex import regex
 
 #: Names and descriptions of packages that are there for tests.
-_NAMED = re.compile(
-    r"(?:.*_)?(?:tests?|testing)(?:_(?:utils?|utilities|support|fixtures|helpers|tools|nodes|msgs|common))?"
-)
-_DESCRIBED = re.compile(
+_NAMED = regex(r"(?:.*_)?(?:tests?|testing)(?:_(?:utils?|utilities|support|fixtures|helpers|tools|nodes|msgs|common))?")
+_DESCRIBED = regex(
     r"\b(?:tests|(?:test|testing) (?:support|utilit(?:y|ies)|helpers?|fixtures?|tools?|nodes?)|(?:integration|system|end-to-end) tests?) "
     r"(?:for|of|and|to)\b|\b(?:used|needed|only) (?:for|by|in) (?:the )?(?:[\w-]+ )?tests\b",
     re.IGNORECASE,
 )
 #: Files that hold tests or what makes them, and those that only say something about files.
-_TEST = re.compile(r"(?:^|/)tests?/|(?:^|/)(?:test_[^/]*|[^/]*_test|conftest|[^/]*[._]test)\.\w+$")
-_MACROS = re.compile(r"(?:^|/)[^/]*test[^/]*\.cmake(?:\.in)?$", re.IGNORECASE)
-_ABOUT = re.compile(r"(?:^|/)(?:package\.xml|setup\.(?:py|cfg)|pyproject\.toml|[^/]*\.(?:md|rst))$")
+_TEST = regex(r"(?:^|/)tests?/|(?:^|/)(?:test_[^/]*|[^/]*_test|conftest|[^/]*[._]test)\.\w+$")
+_MACROS = regex(r"(?:^|/)[^/]*test[^/]*\.cmake(?:\.in)?$", re.IGNORECASE)
+_ABOUT = regex(r"(?:^|/)(?:package\.xml|setup\.(?:py|cfg)|pyproject\.toml|[^/]*\.(?:md|rst))$")
 #: Commands by which documentation starts a program.
-_STARTED = re.compile(r"\b(?:ros2 run|ros2 launch|rosrun|roslaunch|python3?)\b")
+_STARTED = regex(r"\b(?:ros2 run|ros2 launch|rosrun|roslaunch|python3?)\b")
 #: What may name a program or a module.
 _NAMING = tuple(
     f".{ending}"

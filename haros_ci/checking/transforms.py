@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import shlex
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 
 from haros_ci.checking.broadcasts import resolved, sent
 from haros_ci.checking.poses import Pose, are_same, of_options, of_origin, of_words
@@ -15,6 +14,7 @@ from haros_ci.model.launch_facts import CommandUse
 from haros_ci.model.location import Location
 from haros_ci.model.presence import together
 from haros_ci.model.robot import Robot
+from haros_ci.records import dataclass
 
 #: Joints that robot_state_publisher leaves out, and those that it broadcasts as fixed (kdl_parser knows no planar ones).
 _LEFT_OUT = "floating"

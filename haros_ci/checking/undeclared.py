@@ -14,6 +14,7 @@ from haros_ci.knowledge.knowledge import knowledge
 from haros_ci.model.launch_facts import PackageUse
 from haros_ci.model.location import Location
 from haros_ci.model.package import Package
+from haros_ci.regex import regex
 
 #: Dependencies that are there when the package runs.
 _RUN = ("depend", "exec_depend", "run_depend", "build_export_depend")
@@ -46,12 +47,12 @@ _TOOLS = frozenset(
 #: So many packages with a launch file of one name have it from a generator.
 _MANY = 3
 #: What a launch file in Python asks for packages that need not be there.
-_ASKS = re.compile(r"get_packages_with_prefixes|PackageNotFoundError|has_resource|get_resource\b")
+_ASKS = regex(r"get_packages_with_prefixes|PackageNotFoundError|has_resource|get_resource\b")
 #: The directories of launch files for tests, and how those of rostest are called.
-_TEST = re.compile(r"(?:^|/)(?:(?:ros|unit|integration_|system_)?tests?|testing|test_(?:utils|launch|data))/|\.test$")
-_COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)
+_TEST = regex(r"(?:^|/)(?:(?:ros|unit|integration_|system_)?tests?|testing|test_(?:utils|launch|data))/|\.test$")
+_COMMENT = regex(r"<!--.*?-->", re.DOTALL)
 #: Places that a script fills in when it copies the file: ``$NAME$``, ``@NAME@``, ``{{ name }}``.
-_BLANK = re.compile(r"[\"'/>= ](?:\$[A-Z][A-Z0-9_]+\$|@[A-Z][A-Z0-9_]+@|\{\{ ?\w+ ?\}\})")
+_BLANK = regex(r"[\"'/>= ](?:\$[A-Z][A-Z0-9_]+\$|@[A-Z][A-Z0-9_]+@|\{\{ ?\w+ ?\}\})")
 
 
 def provided(package: Package, system: System) -> tuple[frozenset[str], bool]:

@@ -6,7 +6,6 @@ from __future__ import annotations
 import posixpath
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 
 from haros_ci.checking.installing import is_said_not_installed, landings, left_out_on_purpose
 from haros_ci.checking.interpreted import is_given_to_another
@@ -14,22 +13,24 @@ from haros_ci.checking.project import Project, ProjectPackage
 from haros_ci.model.build import PluginClass, Target
 from haros_ci.model.launch_facts import ProgramUse
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass
+from haros_ci.regex import regex
 from haros_ci.results.rule import Level
 
 #: Parts of paths and names of what is there for developers.
-_ASIDE = re.compile(
+_ASIDE = regex(
     r"(?:^|[/_-])(?:tests?|testing|tester|examples?|benchmarks?|benchmarking|bench|demos?|samples?|tutorials?|tools?|fuzz\w*|mock|dummy"
     r"|scratch|experimental|debug|generate|generator|gen|profil\w+|playground|sandbox|old|deprecated|unused)(?:$|[/_.-])"
 )
 #: The first comments and text of a script, and how one says there that it is to be looked at.
-_HEAD = re.compile(r"(?:[ \t]*#[^\n]{0,300}\n|[ \t]*\n){0,60}(?:\"{3}.{0,1500}?\"{3}|'{3}.{0,1500}?'{3})?", re.DOTALL)
-_DEMONSTRATION = re.compile(r"\b(?:demo(?:nstrat\w+)?|example|tutorial|test case|playground)\b", re.IGNORECASE)
-_TESTS = re.compile(r"(?:^|_)(?:tests?|testing|benchmarks?|tools)(?:$|_)")
+_HEAD = regex(r"(?:[ \t]*#[^\n]{0,300}\n|[ \t]*\n){0,60}(?:\"{3}.{0,1500}?\"{3}|'{3}.{0,1500}?'{3})?", re.DOTALL)
+_DEMONSTRATION = regex(r"\b(?:demo(?:nstrat\w+)?|example|tutorial|test case|playground)\b", re.IGNORECASE)
+_TESTS = regex(r"(?:^|_)(?:tests?|testing|benchmarks?|tools)(?:$|_)")
 #: Copies that editors and people keep beside a script.
-_KEPT = re.compile(r"(?:~|\.(?:bak|backup|old|orig|org|save|swp|tmp|disabled)\d*)\Z", re.IGNORECASE)
-_RUN = re.compile(r"\b(?:ros2 run|rosrun)\s+([\w-]+)\s+([\w.-]+)")
+_KEPT = regex(r"(?:~|\.(?:bak|backup|old|orig|org|save|swp|tmp|disabled)\d*)\Z", re.IGNORECASE)
+_RUN = regex(r"\b(?:ros2 run|rosrun)\s+([\w-]+)\s+([\w.-]+)")
 #: What the code of a node uses by itself, and what leaves it to a library.
-_CLIENT = re.compile(r"\b(?:ros|roscpp|rclcpp\w*|rcl|nodelet|nav2_\w+)::\w|\brclcpp\b|\binit\s*\(\s*argc\b")
+_CLIENT = regex(r"\b(?:ros|roscpp|rclcpp\w*|rcl|nodelet|nav2_\w+)::\w|\brclcpp\b|\binit\s*\(\s*argc\b")
 
 
 @dataclass(frozen=True, slots=True)

@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from haros_ci import syntax
 from haros_ci.checking.message_fields import expressions, typed_routines
@@ -13,6 +12,7 @@ from haros_ci.checking.project import Project
 from haros_ci.code.body import nodes
 from haros_ci.code.codebase import Codebase, Routine
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass
 
 #: Values with which the class is called otherwise than by one list of values.
 _NAMED = (syntax.Keyword, syntax.Star, syntax.DoubleStar)

@@ -11,9 +11,10 @@ from haros_ci.checking.imports import imported_words, reached_from
 from haros_ci.checking.project import ProjectPackage
 from haros_ci.checking.unstarted import is_unstarted
 from haros_ci.model.launch_facts import ProgramUse
+from haros_ci.regex import regex
 
 #: Directories of what is kept, and no more in use or not yet.
-_ASIDE = re.compile(
+_ASIDE = regex(
     r"(?:old|older|prototypes?|deprecated|attic|obsolete|unused|archived?|legacy|backups?|graveyard|experiments?)",
     re.IGNORECASE,
 )

@@ -13,6 +13,7 @@ from weakref import WeakKeyDictionary
 from haros_ci.checking.check import Finding
 from haros_ci.checking.installing import landings
 from haros_ci.checking.project import Project
+from haros_ci.regex import regex
 from haros_ci.results.overwritten import is_overwritten
 from haros_ci.results.result import Result
 from haros_ci.results.rule import Level
@@ -23,9 +24,9 @@ _NAMING = (
     *(".yml", ".yaml", ".cfg", ".toml", ".ini", ".in", ".cmake", ".json", ".repos", "dockerfile", "makefile", "justfile", "procfile"),
 )  # fmt: skip
 #: Files that are started or found by their place or name.
-_FOUND = re.compile(r"(?:__\w+__|setup|conf|conftest|test_.*|.*_test|main|node|.*launch.*)")
+_FOUND = regex(r"(?:__\w+__|setup|conf|conftest|test_.*|.*_test|main|node|.*launch.*)")
 #: What imports modules or starts files whose names stand nowhere.
-_DYNAMIC = re.compile(
+_DYNAMIC = regex(
     r"\bimport_module\s*\(|\b__import__\s*\(|\bpkgutil\b|\bspec_from_file_location\b|\bload_source\s*\(|\brun_path\s*\(|\bexecfile\s*\(|\*\.py\b"
 )
 #: Checks of systems that speak of what happens when a line runs.

@@ -3,17 +3,15 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 
 from haros_ci.checking.project import ProjectPackage
 from haros_ci.model.build import Target
+from haros_ci.regex import regex
 
-_VARIABLE = re.compile(r"\$\{(\w+?)_(?:LIBRARIES|LIBRARY|TARGETS|LIBS|INCLUDE_DIRS|INCLUDE_DIR|INCLUDES)\}")
+_VARIABLE = regex(r"\$\{(\w+?)_(?:LIBRARIES|LIBRARY|TARGETS|LIBS|INCLUDE_DIRS|INCLUDE_DIR|INCLUDES)\}")
 #: Libraries of the system that bring no headers of ROS.
-_SYSTEM = re.compile(
-    r"-.*|pthread|dl|m|rt|atomic|stdc\+\+fs|stdc\+\+|GL|GLU|X11|yaml-cpp|tinyxml2?|curl|z|util|gomp|fmt|"
-)
+_SYSTEM = regex(r"-.*|pthread|dl|m|rt|atomic|stdc\+\+fs|stdc\+\+|GL|GLU|X11|yaml-cpp|tinyxml2?|curl|z|util|gomp|fmt|")
 _SCOPES = frozenset(("PUBLIC", "PRIVATE", "INTERFACE", "SYSTEM", "BEFORE", "AFTER"))
 
 

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 from haros_ci.model.launch_facts import ArgumentDeclaration, ConstructUse, IncludeUse, ParameterFileUse
 from haros_ci.model.location import Location
+from haros_ci.regex import regex
 
 if TYPE_CHECKING:
     from haros_ci.checking.launch_readers import LaunchReaders
@@ -18,18 +19,18 @@ if TYPE_CHECKING:
 
 #: How the names of source files end, and the files of these that run no node.
 CODE = (".cpp", ".hpp", ".cc", ".cxx", ".h", ".hh", ".hxx", ".ipp", ".py")
-_OTHER = re.compile(r"launch[^/]*$|(^|/)tests?/|(^|/)(test_[^/]*|[^/]*_test)\.\w+$")
+_OTHER = regex(r"launch[^/]*$|(^|/)tests?/|(^|/)(test_[^/]*|[^/]*_test)\.\w+$")
 #: How the names of launch files end, and of those that are not in XML.
 LAUNCH_FILES = (".launch", *(f"{sign}launch{end}" for sign in "._" for end in (".xml", ".py", ".yaml", ".yml")))
 NOT_XML = (".py", ".yaml", ".yml")
-_STARTS = re.compile(r"<(?:node|include|let|group|executable)\b")
+_STARTS = regex(r"<(?:node|include|let|group|executable)\b")
 #: Lines that an include's tag with its file takes.
 _OF_INCLUDE = 4
-_FILE = re.compile(r"""<include\b[^<>]*?\bfile\s*=\s*["']([^"']*)""")
-_SUBSTITUTION = re.compile(r"(?:\$\((?:arg|var|env|optenv|eval)\s[^()]*\))+|\*+")
+_FILE = regex(r"""<include\b[^<>]*?\bfile\s*=\s*["']([^"']*)""")
+_SUBSTITUTION = regex(r"(?:\$\((?:arg|var|env|optenv|eval)\s[^()]*\))+|\*+")
 #: Where a package is: its name counts only if it is chosen, too, and is taken for that of its directory.
-_PACKAGE = re.compile(r"\$\((?:find|find-pkg-share)\s+(?:([\w-]*\*[\w*-]*)|[\w-]+)\)")
-_LITERAL = re.compile(r"[\w-]{2}")
+_PACKAGE = regex(r"\$\((?:find|find-pkg-share)\s+(?:([\w-]*\*[\w*-]*)|[\w-]+)\)")
+_LITERAL = regex(r"[\w-]{2}")
 #: A path has so many chosen parts at most.
 _MAX_SIGNS = 4
 #: A launch file with so many includes passes the same with all of them.
@@ -37,9 +38,9 @@ _SEVERAL = 3
 #: Where commands stand that people and scripts start launch files with, and an argument that one gives.
 _SHOWING = (".md", ".rst", ".txt", ".sh", ".bash", ".yml", ".yaml", "dockerfile", "makefile")
 _READ = (".md", ".rst", ".sh", ".bash")
-_LAUNCHED = re.compile(r"(?<![\w-])[\w-]+(?:[._]launch(?:\.(?:xml|py|ya?ml))?|\.test)\b")
-_URL = re.compile(r"(?:\b(?:https?|ssh|git)://|\bgit@)[^\s\"'`()\[\]<>,;#]{1,300}")
-_SHOWN = re.compile(r"(?<![\w-])([\w-]+):=")
+_LAUNCHED = regex(r"(?<![\w-])[\w-]+(?:[._]launch(?:\.(?:xml|py|ya?ml))?|\.test)\b")
+_URL = regex(r"(?:\b(?:https?|ssh|git)://|\bgit@)[^\s\"'`()\[\]<>,;#]{1,300}")
+_SHOWN = regex(r"(?<![\w-])([\w-]+):=")
 
 
 def repositories_named(workspace: Workspace) -> frozenset[str]:

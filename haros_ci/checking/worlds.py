@@ -3,14 +3,14 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Container
 
 from haros_ci.knowledge.knowledge import knowledge
 from haros_ci.model.condition import evaluate
 from haros_ci.model.package import Package
+from haros_ci.regex import regex
 
-_FINDS = re.compile(r"(?mi)^[^#\n]*?\bfind_package[ \t]*\([ \t]*(catkin|ament_cmake)\b")
+_FINDS = regex(r"(?mi)^[^#\n]*?\bfind_package[ \t]*\([ \t]*(catkin|ament_cmake)\b")
 _ENVIRONMENTS = ({"ROS_VERSION": "1"}, {"ROS_VERSION": "2"})
 
 

@@ -10,27 +10,28 @@ from weakref import WeakKeyDictionary
 from haros_ci.checking.system import System
 from haros_ci.checking.whole import Whole
 from haros_ci.model.workspace import Workspace
+from haros_ci.regex import regex
 
 #: So much of a file is read.
 _MOST = 400_000
 #: What opens a file for writing in Python and C++, or hands data over to be written.
-_WRITES = re.compile(
+_WRITES = regex(
     r"ofstream|\bfstream\b|\bfopen\s*\([^;\n]{0,200}[\"'][wa]|\bopen\s*\([^\n]{0,200}[\"'][wax]b?\+?[\"']|\bdump\s*\(|\.write\w*\s*\(|write_text|write_bytes"
     r"|to_csv|savetxt|imwrite|\bsave\w*\s*\("
 )
 #: Python files that only start others.
-_LAUNCH = re.compile(r"launch\.py$|(?:^|/)launch/")
+_LAUNCH = regex(r"launch\.py$|(?:^|/)launch/")
 #: A line that reads, whatever else the file does.
-_READS = re.compile(
+_READS = regex(
     r"ifstream|LoadFile|load\w*\s*\(|\bread\w*\s*\(|[\"']rb?[\"']|\bexists\s*\(|is_?file\s*\(|include", re.IGNORECASE
 )
 
 
 #: What stands in a string up to its end, behind its last slash.
-_STRING = re.compile(r"(?<=[\"'/])([^\"'/]{3,200})(?=[\"'])")
+_STRING = regex(r"(?<=[\"'/])([^\"'/]{3,200})(?=[\"'])")
 #: What a shell writes to, and the names in it.
-_TARGET = re.compile(r">\s{0,9}[\"']?([^\s;&|<>\"']{1,300})")
-_NAME = re.compile(r"[\w.-]{3,}")
+_TARGET = regex(r">\s{0,9}[\"']?([^\s;&|<>\"']{1,300})")
+_NAME = regex(r"[\w.-]{3,}")
 
 _known: WeakKeyDictionary[Whole, dict[str, str]] = WeakKeyDictionary()
 

@@ -9,20 +9,21 @@ from weakref import WeakKeyDictionary
 
 from haros_ci.checking.system import System, SystemNode
 from haros_ci.checking.whole import Whole
+from haros_ci.regex import regex
 
 #: Of all systems that are seen together, by package the strings and the parts of formats in what _texts() found, none if nothing there
 #: inherits from a foreign class.
 _STRINGS: WeakKeyDictionary[Whole, dict[str, tuple[frozenset[str], tuple[list[str], ...]]]] = WeakKeyDictionary()
 #: What is read of a file, of how many files, and how long a string may be.
 _MOST, _FILES = 400_000, 300
-_CLASS = re.compile(r"^[ \t]{0,40}class[ \t]+(\w+)[ \t]*\(([^()]{1,400})\)[ \t]*:", re.MULTILINE)
-_FUNCTION = re.compile(r"^[ \t]{1,40}def\s+__init__\b", re.MULTILINE)
-_IMPORT = re.compile(r"^[ \t]*(?:from|import)[ \t]+(\w+)", re.MULTILINE)
-_COMMENT = re.compile(r"^[ \t]*#[^\n]*", re.MULTILINE)
-_STRING = re.compile(r"""(f?)(["'])([^"'\n]{2,200}?)\2""")
-_HOLE = re.compile(r"\{[^{}]{0,100}\}|%(?:\(\w{1,60}\))?[-+#0 ]{0,3}\d{0,3}(?:\.\d{1,3})?[sdifgxr]")
+_CLASS = regex(r"^[ \t]{0,40}class[ \t]+(\w+)[ \t]*\(([^()]{1,400})\)[ \t]*:", re.MULTILINE)
+_FUNCTION = regex(r"^[ \t]{1,40}def\s+__init__\b", re.MULTILINE)
+_IMPORT = regex(r"^[ \t]*(?:from|import)[ \t]+(\w+)", re.MULTILINE)
+_COMMENT = regex(r"^[ \t]*#[^\n]*", re.MULTILINE)
+_STRING = regex(r"""(f?)(["'])([^"'\n]{2,200}?)\2""")
+_HOLE = regex(r"\{[^{}]{0,100}\}|%(?:\(\w{1,60}\))?[-+#0 ]{0,3}\d{0,3}(?:\.\d{1,3})?[sdifgxr]")
 #: Bases that make no topics of what they are given, and nodes, whose calls are followed.
-_PLAIN = re.compile(
+_PLAIN = regex(
     r"object|Node|LifecycleNode|\w*Exception|\w*Error|\w*Enum|IntFlag|Flag|ABC|Protocol|NamedTuple|TypedDict|Generic|dict|list|set|tuple|str|int"
     r"|float|Thread|Process|TestCase|NodeVisitor|Q[A-Z]\w*|\w*Widget|Plugin|Module|Dataset|\w*Env|\w*Handler|\w*Server|\w*Parser|\w*Action|State|StateMachine"
 )

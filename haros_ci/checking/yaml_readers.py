@@ -7,6 +7,7 @@ import re
 from typing import TYPE_CHECKING
 
 from haros_ci.checking.whole import CODE, LAUNCH_FILES
+from haros_ci.regex import regex
 
 if TYPE_CHECKING:
     from haros_ci.checking.given import Given
@@ -14,7 +15,7 @@ if TYPE_CHECKING:
 
 _DESCRIPTIONS = (".xacro", ".urdf", ".sdf")
 #: Calls that load a YAML file: of xacro, PyYAML, ruamel and yaml-cpp.
-_LOADS = re.compile(r"\bload_yaml\s*\(|\byaml\.(?:\w+_)?load(?:_all)?\s*\(|\bYAML::Load(?:File)?\s*\(|\bYAML\s*\(")
+_LOADS = regex(r"\bload_yaml\s*\(|\byaml\.(?:\w+_)?load(?:_all)?\s*\(|\bYAML::Load(?:File)?\s*\(|\bYAML\s*\(")
 
 
 def readers(system: System) -> tuple[tuple[bool, str], ...]:

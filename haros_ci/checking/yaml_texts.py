@@ -3,12 +3,11 @@
 
 from __future__ import annotations
 
-import re
-
 from haros_ci.bounded_yaml import YamlFault, YamlLimits, YamlTooLarge, check
+from haros_ci.regex import regex
 
 #: Text that a program fills in before it is YAML.
-_TEMPLATE = re.compile(r"\{\{|\{%|<%|@\(|\$\(|\bxmlns:")
+_TEMPLATE = regex(r"\{\{|\{%|<%|@\(|\$\(|\bxmlns:")
 _LIMITS = YamlLimits(characters=1_000_000, depth=200)
 
 

@@ -7,10 +7,11 @@ Lambdas and nested functions are not part of the body that they stand in: they r
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 from typing import Any
 
 from haros_ci import syntax
+from haros_ci.records import dataclass, field
 from haros_ci.syntax import Block, Expression, Function, Statement, Type
 
 #: The parts of statements that are blocks or hold them are walked by kind; all other parts are expressions.

@@ -8,7 +8,6 @@ their arguments is taken for a callback.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from haros_ci import syntax
 from haros_ci.code import classes, kinds
@@ -16,6 +15,7 @@ from haros_ci.code.body import Call, last_part
 from haros_ci.code.calls import calls_of, function_meant
 from haros_ci.code.codebase import Codebase, Routine
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass
 from haros_ci.syntax import Expression
 
 #: What the calls make, by the last part of their names; the number of arguments after the callback that come before the group.

@@ -4,13 +4,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 from haros_ci import syntax
 from haros_ci.code import classes, kinds
 from haros_ci.code.body import Call, last_part
 from haros_ci.code.callbacks import group_of
 from haros_ci.code.codebase import Codebase, Routine
+from haros_ci.records import dataclass
 from haros_ci.syntax import Expression
 
 #: What gives the node itself, or an interface of it.

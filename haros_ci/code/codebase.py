@@ -8,13 +8,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass, field
 from typing import Any
 
 from haros_ci.code.body import Body, body_of
 from haros_ci.index.build import build_index
 from haros_ci.index.index import Index, Source, is_test
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass, field
 from haros_ci.syntax import Class, Function
 
 #: The header of rosserial's node handle, and that of roscpp's.

@@ -7,18 +7,19 @@ import re
 
 from haros_ci.code.classes import base_names, class_named, owner_of
 from haros_ci.code.codebase import Codebase, Routine
+from haros_ci.regex import regex
 
 #: Comments and texts of C++.
-_COMMENTS = re.compile(r"//[^\n]*|/\*.*?(?:\*/|\Z)|\"(?:[^\"\\\n]|\\.)*\"", re.DOTALL)
+_COMMENTS = regex(r"//[^\n]*|/\*.*?(?:\*/|\Z)|\"(?:[^\"\\\n]|\\.)*\"", re.DOTALL)
 #: What stands before the name of a function that is declared or defined: ``void * Detector::``; and words that are no types.
-_DECLARED = re.compile(r"\b([A-Za-z_]\w*)[\s>*&]+(?:\w+\s*::\s*)*$")
+_DECLARED = regex(r"\b([A-Za-z_]\w*)[\s>*&]+(?:\w+\s*::\s*)*$")
 _NO_TYPES = frozenset("return co_return co_await co_yield throw new delete else do case not and or endif goto".split())
 #: The bases whose methods are known: they call none of a class that is not virtual.
 _NODES = frozenset(("rclcpp::Node", "rclcpp_lifecycle::LifecycleNode", "nodelet::Nodelet"))
 _PYTHON_BASES = frozenset(("object", "rclpy.node.Node", "rclpy.Node", "Node"))
 #: A comment of Python, with what stands before it on its line.
-_REMARK = re.compile(r"^((?:[^\"'#\n]|\"[^\"\n]*\"|'[^'\n]*')*)#[^\n]*", re.MULTILINE)
-_PROGRAM = re.compile(r"^if[ \t(]+__name__[ \t]*==[ \t]*['\"]__main__['\"]|^#!", re.MULTILINE)
+_REMARK = regex(r"^((?:[^\"'#\n]|\"[^\"\n]*\"|'[^'\n]*')*)#[^\n]*", re.MULTILINE)
+_PROGRAM = regex(r"^if[ \t(]+__name__[ \t]*==[ \t]*['\"]__main__['\"]|^#!", re.MULTILINE)
 
 
 def is_dead(code: Codebase, routine: Routine) -> bool:

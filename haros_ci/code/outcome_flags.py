@@ -4,9 +4,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
 
 from haros_ci import syntax
+from haros_ci.records import dataclass
 from haros_ci.syntax import Block, Expression, Statement
 
 #: The kinds of values that a flag can be compared with.

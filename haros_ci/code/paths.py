@@ -7,12 +7,12 @@ Lenient: ways that a shutdown takes, that throw, or that a flag may exclude are 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
 from operator import or_
 
 from haros_ci import syntax
 from haros_ci.code.body import last_part, nodes
 from haros_ci.code.outcome_flags import Flag, known_outcomes, outcome_flags
+from haros_ci.records import dataclass, field
 from haros_ci.syntax import Block, Expression, Statement
 
 #: True while the program runs and the goal is served, and what is true once that is over.

@@ -10,6 +10,7 @@ from haros_ci import syntax
 from haros_ci.code.body import Call, last_part
 from haros_ci.code.calls import called
 from haros_ci.code.codebase import Codebase, Routine
+from haros_ci.regex import regex
 from haros_ci.syntax import Expression
 
 #: Functions whose result cannot carry a command.
@@ -20,8 +21,8 @@ CLEANING = frozenset(
 #: Operators whose result is no text.
 TESTS = frozenset("== != < > <= >= && || ! and or not in is".split())
 #: The fields of ``"…".format()`` and of ``"…" % …``, each with its type of presentation, and those types that no text has.
-_BRACES = re.compile(r"\{[^{}:]{0,80}(?::[^{}]{0,40}?([A-Za-z%])?)?\}")
-_PERCENT = re.compile(r"%(?:\(\w{1,60}\))?[-+#0 ]{0,5}[\d*]{0,5}(?:\.[\d*]{0,5})?([A-Za-z%])")
+_BRACES = regex(r"\{[^{}:]{0,80}(?::[^{}]{0,40}?([A-Za-z%])?)?\}")
+_PERCENT = regex(r"%(?:\(\w{1,60}\))?[-+#0 ]{0,5}[\d*]{0,5}(?:\.[\d*]{0,5})?([A-Za-z%])")
 _NUMERIC = frozenset("bcdeEfFgGiouxXn%")
 
 Marks = Mapping[str, frozenset[tuple[str, ...]]]

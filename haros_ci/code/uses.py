@@ -4,11 +4,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from haros_ci import syntax
 from haros_ci.code.body import last_part
 from haros_ci.code.codebase import Codebase, Routine
+from haros_ci.records import dataclass
 from haros_ci.syntax import Record
 from haros_ci.syntax.walk import Part, below
 

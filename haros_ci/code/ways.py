@@ -3,13 +3,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from haros_ci.code.body import Call
 from haros_ci.code.callbacks import Callback, callbacks
 from haros_ci.code.calls import Path, reached
 from haros_ci.code.codebase import Codebase, Routine
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass
 
 KINDS = {
     "subscription": "a subscription",

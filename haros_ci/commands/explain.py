@@ -15,6 +15,7 @@ import click
 from haros_ci.commands.common import Flags
 from haros_ci.commands.rules import documented_rules
 from haros_ci.errors import UserError
+from haros_ci.regex import regex
 from haros_ci.results.rule import Rule
 
 #: The most lines of the short form, and the widest.
@@ -23,7 +24,7 @@ LINES, COLUMNS = 30, 100
 PARAGRAPH = 5
 #: How levels look on a terminal.
 COLORS = {"error": "red", "warning": "yellow", "note": "cyan"}
-_MARK = re.compile(r"\s*(?:#|//|<!--)\s*expect: [^\n]*?(?:-->)?\s*$")
+_MARK = regex(r"\s*(?:#|//|<!--)\s*expect: [^\n]*?(?:-->)?\s*$")
 
 
 def explain(name: str, flags: Flags) -> int:

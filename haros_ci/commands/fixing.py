@@ -8,7 +8,6 @@ import re
 import stat
 import sys
 from collections.abc import Callable, Collection, Iterable, Iterator
-from dataclasses import dataclass
 from difflib import unified_diff
 from pathlib import Path
 
@@ -17,6 +16,7 @@ import click
 from haros_ci.config.settings import Settings
 from haros_ci.errors import EXIT_TOOL_TROUBLE
 from haros_ci.model.workspace import Workspace
+from haros_ci.records import dataclass
 from haros_ci.report.escape import patch as shown
 from haros_ci.report.escape import terminal
 from haros_ci.results.fix import Edit, Fix, applied

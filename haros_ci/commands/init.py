@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -13,6 +12,7 @@ import click
 
 from haros_ci.config.load import FILE_NAMES
 from haros_ci.errors import UserError
+from haros_ci.records import dataclass
 from haros_ci.report.escape import terminal
 from haros_ci.starting import files
 from haros_ci.starting.seen import CONFIGURED, look

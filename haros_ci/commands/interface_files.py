@@ -3,13 +3,13 @@
 
 from __future__ import annotations
 
-import re
 from pathlib import Path
 
 import click
 
 from haros_ci.errors import UserError
 from haros_ci.model.architecture import Architecture
+from haros_ci.regex import regex
 from haros_ci.report import model_interface_table, model_nodl
 from haros_ci.report.model_json import Places
 from haros_ci.report.node_interface import interfaces
@@ -17,7 +17,7 @@ from haros_ci.report.readme_tables import rows
 from haros_ci.writing import keep_inside, write
 
 SUFFIXES = {"nodl": ".nodl.xml", "readme": ".md"}
-_FILE_NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9_.-]{0,200}")
+_FILE_NAME = regex(r"[A-Za-z0-9][A-Za-z0-9_.-]{0,200}")
 
 
 def put(found: Architecture, format: str, path: Path | None, root: Path) -> None:

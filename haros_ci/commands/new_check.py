@@ -4,13 +4,13 @@
 from __future__ import annotations
 
 import os
-import re
 from pathlib import Path
 
 from haros_ci.errors import UserError
+from haros_ci.regex import regex
 from haros_ci.writing import cannot, create
 
-_NAME = re.compile(r"[a-z][a-z0-9]*(-[a-z0-9]+)+")
+_NAME = regex(r"[a-z][a-z0-9]*(-[a-z0-9]+)+")
 
 MODULE = '''# SPDX-License-Identifier: Apache-2.0
 """What it finds, in one line."""

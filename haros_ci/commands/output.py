@@ -6,7 +6,6 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from pathlib import Path
 from types import MappingProxyType
 from typing import Any
@@ -14,6 +13,7 @@ from typing import Any
 import click
 
 from haros_ci.errors import RunFailure, UserError
+from haros_ci.records import dataclass
 from haros_ci.results.result import Report
 from haros_ci.writing import append
 

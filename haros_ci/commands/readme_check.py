@@ -11,12 +11,13 @@ from functools import cache
 from haros_ci.model.architecture import Architecture
 from haros_ci.model.package import Package
 from haros_ci.model.workspace import Workspace
+from haros_ci.regex import regex
 from haros_ci.report.node_interface import interfaces
 from haros_ci.report.readme_compare import Disagreement, KnownPackage, compare, known
 from haros_ci.report.readme_tables import rows
 
 #: A line of a parameter file with a key and a value.
-_SETTING = re.compile(r"""^[ \t]*["']?([\w./]+)["']?:[ \t]+("[^"\n]*"|'[^'\n]*'|[^#\n]*[^#\s])[ \t]*(?:#.*)?$""", re.M)
+_SETTING = regex(r"""^[ \t]*["']?([\w./]+)["']?:[ \t]+("[^"\n]*"|'[^'\n]*'|[^#\n]*[^#\s])[ \t]*(?:#.*)?$""", re.M)
 NAMES = ("README.md", "Readme.md", "readme.md", "README.MD")
 
 

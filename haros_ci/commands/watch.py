@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import gc
 from collections.abc import Callable
-from dataclasses import dataclass, field
 from pathlib import Path
 from signal import SIGINT
 from time import monotonic, sleep
@@ -18,6 +17,7 @@ from haros_ci.commands.timings import timings
 from haros_ci.config.settings import Settings
 from haros_ci.errors import EXIT_INTERRUPTED, UserError
 from haros_ci.interruption import Interrupted
+from haros_ci.records import dataclass, field
 from haros_ci.report.escape import terminal
 from haros_ci.report.summary import notifications, plural
 from haros_ci.results.result import Notification, Report, Result

@@ -12,6 +12,7 @@ from haros_ci.config.shapes import File, kind
 from haros_ci.config.suggestion import quoted, suggestion
 from haros_ci.config.yaml_lines import YamlValue
 from haros_ci.model.access import VERBS, AccessRule
+from haros_ci.regex import regex
 
 GROUPS = "groups"
 KEYS = (GROUPS, *VERBS)
@@ -20,9 +21,9 @@ MAX_NODES = 500
 MAX_PATTERN = 300
 FORM = "access: {publish: {/cmd_vel: [/mux, robot/driver]}}"
 _PART = r"[A-Za-z0-9_*][A-Za-z0-9_.*-]*"
-_NAME = re.compile(rf"(?:/{_PART})+")
-_NODE = re.compile(rf"(?:(?:/{_PART})+|{_PART}/{_PART})")
-_GROUP = re.compile(r"[A-Za-z_][A-Za-z0-9_-]*")
+_NAME = regex(rf"(?:/{_PART})+")
+_NODE = regex(rf"(?:(?:/{_PART})+|{_PART}/{_PART})")
+_GROUP = regex(r"[A-Za-z_][A-Za-z0-9_-]*")
 
 
 def read_access(file: File, value: YamlValue | None) -> tuple[AccessRule, ...]:

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import re
 from typing import Any
 
 from haros_ci.config.exemptions import pattern
@@ -12,6 +11,7 @@ from haros_ci.config.suggestion import quoted
 from haros_ci.config.yaml_lines import YamlValue
 from haros_ci.model.declared_tool import FILE, FILES, OUTPUTS, PARTS, STREAMS, DeclaredTool
 from haros_ci.model.package import LANGUAGES
+from haros_ci.regex import regex
 from haros_ci.results.linear_regex import compiled
 
 EXEC_KEYS = ("exec", "files", "languages", "reads", "output", "pattern", "fields", "levels", "stream", "exit")
@@ -21,7 +21,7 @@ MAX_ARGUMENT = 1_000  # characters
 MAX_FIELD = 200  # characters
 MAX_CODES = 20
 FORM = "my-tool: {exec: [my-tool, '{files}'], languages: [cpp], output: gcc}"
-_NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9_.+-]{0,59}")
+_NAME = regex(r"[A-Za-z0-9][A-Za-z0-9_.+-]{0,59}")
 
 
 def read_declared(file: File, name: str, value: YamlValue, *, trust: bool) -> DeclaredTool | None:

@@ -8,13 +8,13 @@ files, a rule without tags) is an error here, too. Keys as read by HAROS 3.10: `
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
 
 from haros_ci.config.on_violation import check_on_violation
 from haros_ci.config.shapes import File, NamedShape, kind
 from haros_ci.config.suggestion import did_you_mean, quoted
 from haros_ci.config.yaml_lines import YamlValue
+from haros_ci.records import dataclass
 
 #: Keys of a HAROS project file, and of HAROS's own configs.yaml.
 PROJECT_KEYS = ("project", "packages", "repositories", "configurations", "nodes", "rules", "analysis")

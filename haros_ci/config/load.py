@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 from typing import Any, Protocol
 
@@ -13,6 +13,7 @@ from haros_ci.config.settings import PROFILES, Policy, Settings
 from haros_ci.config.suggestion import quoted, suggestion
 from haros_ci.errors import UserError
 from haros_ci.model import globs
+from haros_ci.records import dataclass
 from haros_ci.results.rule import Level
 
 #: In one directory the first of these counts; see docs/configuration.md.

@@ -13,6 +13,7 @@ from typing import Any
 from haros_ci.config.shapes import File, kind
 from haros_ci.config.suggestion import quoted, suggestion
 from haros_ci.config.yaml_lines import YamlValue
+from haros_ci.regex import regex
 
 KEY = "on_violation"
 VERBS = ("publish", "call", "log")
@@ -21,8 +22,8 @@ LEVELS = ("info", "warn", "error", "fatal")
 #: Actions of one configuration, and values of one message.
 MOST_ACTIONS, MOST_VALUES = 200, 2_000
 FORM = "on_violation: {stops: [{publish: /motors/off, type: std_msgs/Empty}, {log: error}]}"
-_NAME = re.compile(r"(?:/[A-Za-z_][A-Za-z0-9_]{0,100}){1,30}", re.ASCII)
-_TYPE = re.compile(r"[A-Za-z]\w{0,100}/(?:(?:msg|srv)/)?[A-Za-z]\w{0,100}", re.ASCII)
+_NAME = regex(r"(?:/[A-Za-z_][A-Za-z0-9_]{0,100}){1,30}", re.ASCII)
+_TYPE = regex(r"[A-Za-z]\w{0,100}/(?:(?:msg|srv)/)?[A-Za-z]\w{0,100}", re.ASCII)
 
 
 def check_on_violation(file: File, configuration: YamlValue, what: str) -> None:

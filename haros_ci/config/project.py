@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import Any
 
 from haros_ci.config.access import read_access
@@ -18,6 +17,7 @@ from haros_ci.config.yaml_lines import YamlValue, parse, plain
 from haros_ci.errors import UserError
 from haros_ci.model.api import RowError, load_row
 from haros_ci.model.declared_tool import DeclaredTool
+from haros_ci.records import dataclass
 from haros_ci.results.rule import Level
 
 OWN_KEYS = (

@@ -4,12 +4,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass
 from itertools import islice
 
 from haros_ci.config.selector import NO_MATCH, Rank, rank
 from haros_ci.config.settings import Policy, Settings
 from haros_ci.model import globs
+from haros_ci.records import dataclass
 from haros_ci.results.result import Result
 from haros_ci.results.rule import Level, Rule
 

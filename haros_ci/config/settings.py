@@ -4,12 +4,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
 from pathlib import Path
 
 from haros_ci.model.access import AccessRule
 from haros_ci.model.declared_tool import DeclaredTool
 from haros_ci.model.workspace import Buffer
+from haros_ci.records import dataclass, field
 from haros_ci.results.rule import Level
 
 PROFILES = ("ros", "strict", "google", "bugs-only", "architecture", "all")

@@ -3,12 +3,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
-
 from haros_ci.config.suggestion import did_you_mean, quoted, suggestion
 from haros_ci.config.yaml_lines import YamlValue
 from haros_ci.errors import UserError
 from haros_ci.model import globs
+from haros_ci.records import dataclass, field
 
 MAX_NOTES = 20
 MAX_ENTRIES = 1_000

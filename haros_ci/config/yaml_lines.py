@@ -6,13 +6,14 @@ Neither nesting nor aliases are expanded before they are counted; no tag constru
 
 from __future__ import annotations
 
-import re
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any, ClassVar
 
 from haros_ci.bounded_yaml import MERGE, TAG, Composer, Scalar, YamlFault, YamlLimits
 from haros_ci.config.suggestion import quoted
 from haros_ci.errors import UserError
+from haros_ci.records import dataclass
+from haros_ci.regex import regex
 
 MAX_BYTES = 1_000_000
 MAX_DEPTH = 50
@@ -20,10 +21,10 @@ MAX_ALIASES = 1_000
 MAX_VALUES = 100_000
 LIMITS = YamlLimits(MAX_BYTES, MAX_DEPTH, MAX_VALUES, MAX_ALIASES)
 
-_NO_TEXT = re.compile("[\0\ud800-\udfff]")
+_NO_TEXT = regex("[\0\ud800-\udfff]")
 _NUMBERS = {TAG + name for name in ("int", "float", "bool", "null")}
 _SCALARS = _NUMBERS | {TAG + name for name in ("str", "timestamp", "value")}
-_BREAK = re.compile("\r\n|[\r\n\x85\u2028\u2029]")  # what libyaml counts as the end of a line
+_BREAK = regex("\r\n|[\r\n\x85\u2028\u2029]")  # what libyaml counts as the end of a line
 
 
 @dataclass(frozen=True, slots=True)

@@ -5,11 +5,12 @@ from __future__ import annotations
 
 import re
 
+from haros_ci.regex import regex
 from haros_ci.results.comments import C_SKIPPED, PYTHON_SKIPPED
 
-_CPP = re.compile(rf"""["'/](?:{C_SKIPPED})""")
-_PYTHON = re.compile(rf"""["'#](?:{PYTHON_SKIPPED})""")
-_VISIBLE = re.compile(r"[^\n]")
+_CPP = regex(rf"""["'/](?:{C_SKIPPED})""")
+_PYTHON = regex(rf"""["'#](?:{PYTHON_SKIPPED})""")
+_VISIBLE = regex(r"[^\n]")
 
 
 def blanked(text: str, language: str) -> str:
@@ -57,4 +58,4 @@ def closings(text: str) -> dict[int, int]:
     return found
 
 
-_BRACKET = re.compile(r"[()\[\]{}]")
+_BRACKET = regex(r"[()\[\]{}]")

@@ -6,7 +6,6 @@ from __future__ import annotations
 import re
 from bisect import bisect_right
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, field
 
 from haros_ci import syntax
 from haros_ci.code import calls, classes, kinds
@@ -16,6 +15,8 @@ from haros_ci.coverage.names import Names
 from haros_ci.coverage.pieces import Piece, last_name
 from haros_ci.coverage.search import TextCall
 from haros_ci.index.index import Source
+from haros_ci.records import dataclass, field
+from haros_ci.regex import regex
 from haros_ci.syntax import Type
 
 #: Libraries without ROS: namespaces and modules whose methods are never calls of ROS.
@@ -28,7 +29,7 @@ _OTHERS = frozenset(
 _MOST_SCOPES = 20
 #: Library classes whose methods have such names, and make nothing in the node that calls them.
 #: A loader of nodelets that is asked not to provide services (nodelet/loader.h).
-_WITHOUT_SERVICES = re.compile(r"(?:nodelet::)?Loader\b[\w \t]{0,100}[({]\s*false\s*[)}]")
+_WITHOUT_SERVICES = regex(r"(?:nodelet::)?Loader\b[\w \t]{0,100}[({]\s*false\s*[)}]")
 _QUIET = {
     "rclcpp::AsyncParametersClient": "it asks through the client's own services",
     "rclcpp::SyncParametersClient": "it asks through the client's own services",

@@ -3,11 +3,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from haros_ci.model.api import Row
 from haros_ci.model.architecture import KINDS
 from haros_ci.model.once import once
+from haros_ci.records import dataclass
 
 #: Methods that any class may have, and those whose calls are no calls of ROS most of the time.
 EVERYDAY = frozenset(

@@ -5,23 +5,24 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 from heapq import heappop, heappush
 
 from haros_ci.coverage.blanked import closings
 from haros_ci.index.index import Source
+from haros_ci.records import dataclass
+from haros_ci.regex import regex
 from haros_ci.syntax import Class, Function
 
-_WORDS = re.compile(r"(?<![\w\"'])[A-Za-z_]\w*")
+_WORDS = regex(r"(?<![\w\"'])[A-Za-z_]\w*")
 #: A function that is declared or defined, with its type or class before it; the head of a class.
-_DECLARED = re.compile(
+_DECLARED = regex(
     r"(?<![\w.])(?!(?:return|else|new|throw|case|co_return|co_await|delete|and|or|not)\b)"
     r"[A-Za-z_]\w*[\s>*&]+(?:\w+\s*::\s*)*(~?\w+)(?=\s*\()"
 )
-_HEAD = re.compile(r"\b(?:class|struct)\s+(?:[A-Z_]+\s+)?(\w+)(?=\s*(?:final\b|[:;{]))")
-_DEFINED = re.compile(r"\b(?:def|class)[ \t]+(\w+)")
+_HEAD = regex(r"\b(?:class|struct)\s+(?:[A-Z_]+\s+)?(\w+)(?=\s*(?:final\b|[:;{]))")
+_DEFINED = regex(r"\b(?:def|class)[ \t]+(\w+)")
 #: What registers plug-ins and components; it loads none.
-_REGISTERING = re.compile(
+_REGISTERING = regex(
     r"\b(?:PLUGINLIB_\w+|RCLCPP_COMPONENTS_REGISTER_NODE|CLASS_LOADER_REGISTER_CLASS"
     r"|(?:GZ|IGN|IGNITION|GAZEBO)_(?:REGISTER|ADD)_\w+)\s*\([^()]{0,400}\)"
 )

@@ -10,11 +10,11 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
 
 from haros_ci.code.classes import base_names, class_named
 from haros_ci.code.codebase import Codebase
 from haros_ci.coverage.pieces import Piece, last_name
+from haros_ci.records import dataclass, field
 
 #: The bases that call no method but those that are theirs.
 _NODES = frozenset(

@@ -5,11 +5,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import lru_cache
 
 from haros_ci.coverage.blanked import closed
 from haros_ci.coverage.names import Names
+from haros_ci.records import dataclass
+from haros_ci.regex import regex
 
 #: Characters of a call that are shown.
 SHOWN = 100
@@ -17,22 +19,22 @@ SHOWN = 100
 _READ = 4 * SHOWN
 #: Characters before a name in which its receiver is looked for.
 FAR = 2_000
-_TEMPLATE = re.compile(r"[<>;{}()]|::|->")
-_SPACE = re.compile(r"\s*")
-_SPACES = re.compile(r"\s+")
+_TEMPLATE = regex(r"[<>;{}()]|::|->")
+_SPACE = regex(r"\s*")
+_SPACES = regex(r"\s+")
 #: What stands before the name of a function that is declared or defined.
-_DECLARED = re.compile(
+_DECLARED = regex(
     r"(?<![\w.])([A-Za-z_]\w*)(?:<[^;{}()]{0,200}>)?(?=(?P<signs>[\s>*&]+))(?P=signs)(?:\w+(?:<[\w:, ]{0,80}>)?\s*::\s*)*$"
 )
 #: Words that are no types, after which a call may stand.
 _NO_TYPES = frozenset(
     "return co_return co_await co_yield throw new delete else do case not and or if while goto template endif".split()
 )
-_VARIABLE = re.compile(r"\s*[A-Za-z_]\w*\s*(?=[({])")
-_DEF = re.compile(r"(?:\bdef|\bclass|\bimport|\bfrom|#[ \t]*define)[ \t]+$")
-_QUALIFIER = re.compile(r"(?:(?:[A-Za-z_]\w*)\s*::\s*)*$")
-_DOTTED = re.compile(r"(?:(?:[A-Za-z_]\w*)\s*\.\s*)*$")
-_WORD = re.compile(r"[A-Za-z_]\w*\Z")
+_VARIABLE = regex(r"\s*[A-Za-z_]\w*\s*(?=[({])")
+_DEF = regex(r"(?:\bdef|\bclass|\bimport|\bfrom|#[ \t]*define)[ \t]+$")
+_QUALIFIER = regex(r"(?:(?:[A-Za-z_]\w*)\s*::\s*)*$")
+_DOTTED = regex(r"(?:(?:[A-Za-z_]\w*)\s*\.\s*)*$")
+_WORD = regex(r"[A-Za-z_]\w*\Z")
 
 
 @dataclass(frozen=True, slots=True)

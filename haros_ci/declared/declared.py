@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
 from difflib import get_close_matches
 from pathlib import PurePosixPath
 from typing import Any
@@ -13,6 +12,8 @@ from typing import Any
 from haros_ci.model.location import Location
 from haros_ci.model.package import Package
 from haros_ci.model.workspace import Problem
+from haros_ci.records import dataclass, field
+from haros_ci.regex import regex
 
 #: Kinds of endpoints: key of the name, key of the type, key of the value, what one is called.
 LINKS = {
@@ -39,7 +40,7 @@ PLACE = ("package", "file", "line", "column")
 NODE_KEYS = ("node_type", "args", "remaps", "traceability", "conditions", "conditional")
 END_KEYS = ("original_name", "traceability", "conditions", "conditional")
 PARAMETER_KEYS = ("param_type", "default_value", "value", "traceability", "conditions", "conditional")
-_NAME = re.compile(r"[~/A-Za-z0-9_?{}.:-]+")
+_NAME = regex(r"[~/A-Za-z0-9_?{}.:-]+")
 _DEEPEST = 20
 _MOST = 100_000
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from math import isclose
 from typing import Any, TypeVar
 
@@ -25,6 +24,7 @@ from haros_ci.model.architecture import Configuration, Endpoint, Node, Parameter
 from haros_ci.model.location import Location
 from haros_ci.model.package import Package
 from haros_ci.model.workspace import Problem
+from haros_ci.records import dataclass
 
 _RULES = {kind: f"architecture-{kind}" for kind in ("missing", "unexpected", "different", "unknown")}
 _DEEPEST = 50

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 from haros_ci.declared.declared import LINKS, Reading, end_keys, is_name, near
@@ -16,6 +16,7 @@ from haros_ci.graph.names import resolve
 from haros_ci.model.architecture import Condition, Configuration, Endpoint, Node
 from haros_ci.model.location import Location
 from haros_ci.model.package import Package
+from haros_ci.records import dataclass
 
 #: What HAROS calls the calls that make endpoints; those of actions are ours.
 CALLS = {

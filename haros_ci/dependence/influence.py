@@ -3,8 +3,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
-
 from haros_ci import syntax
 from haros_ci.code import classes
 from haros_ci.code.body import Call, last_part
@@ -15,6 +13,7 @@ from haros_ci.dependence.slices import Slice, arguments_for, slice_of
 from haros_ci.dependence.steps import Step, all_nodes, step_of, steps
 from haros_ci.dependence.variables import Held, held
 from haros_ci.rates.runs import FRAMEWORK, HARMLESS, UNCALLED, runs
+from haros_ci.records import dataclass, field
 from haros_ci.syntax import Expression
 
 #: Steps on ways to one effect that are looked at, and of these such as may not lead to it.

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field
 
 from haros_ci.code.body import Call
 from haros_ci.code.callbacks import Callback, callbacks
@@ -20,6 +19,7 @@ from haros_ci.model.dependence import DIRECT, PERHAPS, STATE, Cause, Dependence,
 from haros_ci.model.location import Location
 from haros_ci.rates.publishers import ACTION_CALLS, CLIENT_CALLS, PUBLISHER_CALLS, Sending, publishing, without_code
 from haros_ci.rates.turns import turns
+from haros_ci.records import dataclass, field
 
 #: What a node gets, by the kind of its endpoint, and what its callback is called.
 INPUTS = {"subscribers": "subscription", "servers": "service", "action_servers": "action"}

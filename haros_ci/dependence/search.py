@@ -3,8 +3,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
-
 from haros_ci.code import kinds
 from haros_ci.code.callbacks import Callback
 from haros_ci.code.codebase import Codebase, Routine
@@ -13,6 +11,7 @@ from haros_ci.dependence.steps import Step
 from haros_ci.dependence.variables import Held
 from haros_ci.dependence.writes import Write, writes
 from haros_ci.model.dependence import DIRECT, PERHAPS, STATE
+from haros_ci.records import dataclass, field
 from haros_ci.syntax import Member, Name, This
 
 #: What the transforms of others arrive in (docs.ros.org: tf, tf2_ros).

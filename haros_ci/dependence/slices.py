@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field
 
 from haros_ci import syntax
 from haros_ci.code.body import Call
@@ -14,6 +13,7 @@ from haros_ci.dependence.targets import closure, mentioned, registered, targets
 from haros_ci.dependence.uses import calls_by_node, is_log, uses, uses_in
 from haros_ci.dependence.variables import Held
 from haros_ci.dependence.writes import change
+from haros_ci.records import dataclass, field
 from haros_ci.syntax import Expression
 
 #: Roles in which what is held neither decides nor gives data.

@@ -4,11 +4,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field
 
 from haros_ci import syntax
 from haros_ci.code.body import nodes
 from haros_ci.code.codebase import Codebase, Routine
+from haros_ci.records import dataclass, field
 from haros_ci.syntax import Block, Expression, Statement
 
 

@@ -3,9 +3,8 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 
 from haros_ci import syntax
 from haros_ci.code import kinds
@@ -15,12 +14,14 @@ from haros_ci.dependence.steps import Step, steps
 from haros_ci.dependence.targets import is_of_workspace
 from haros_ci.dependence.variables import Held, chain, held
 from haros_ci.index.types import SMART_POINTERS
+from haros_ci.records import dataclass, field
+from haros_ci.regex import regex
 from haros_ci.syntax import Expression
 
 #: Types of numbers.
-NUMBER = re.compile(r"(std::)?(u?int\d{0,2}(_t)?|size_t|unsigned|unsigned \w{1,8}|long|short|char|bool|float|double)")
+NUMBER = regex(r"(std::)?(u?int\d{0,2}(_t)?|size_t|unsigned|unsigned \w{1,8}|long|short|char|bool|float|double)")
 #: Functions that write to a log, or only look whether something holds.
-LOG = re.compile(
+LOG = regex(
     r"(RCLCPP|RCUTILS|ROS|NODELET)_(DEBUG|INFO|WARN|WARNING|ERROR|FATAL|ASSERT)\w{0,40}|log(debug|info|warn|err|fatal)\w{0,20}"
     r"|debug|info|warn|warning|error|fatal|critical|print|f?printf|puts|assert|ASSERT\w{0,20}"
 )

@@ -3,11 +3,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
-
 from haros_ci import syntax
 from haros_ci.code import classes, kinds
 from haros_ci.code.codebase import Codebase, Routine
+from haros_ci.records import dataclass, field
 from haros_ci.syntax import Expression
 from haros_ci.syntax.walk import everything
 

@@ -3,8 +3,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from haros_ci import syntax
 from haros_ci.code import classes, kinds
 from haros_ci.code.body import Call, last_part
@@ -12,6 +10,7 @@ from haros_ci.code.codebase import Codebase, Routine
 from haros_ci.dependence.targets import targets
 from haros_ci.dependence.uses import LOG, NUMBER, Use, uses, uses_of
 from haros_ci.dependence.variables import Held
+from haros_ci.records import dataclass
 
 #: Methods of containers, pointers, messages, times and ROS objects that change nothing of what they are called on.
 LOOKING = frozenset(

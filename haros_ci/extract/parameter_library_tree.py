@@ -4,20 +4,21 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass, field
 
 from haros_ci.bounded_yaml import Scalar, YamlFault
 from haros_ci.extract.parameter_library_yaml import Value, parse_yaml
+from haros_ci.records import dataclass, field
+from haros_ci.regex import regex
 
 MAX_PROBLEMS = 100
 #: What a key begins with whose struct there is once for each element of the array that the rest of it names.
 MAP = "__map_"
 
 _BASES = {"bool": bool, "int": int, "double": float, "string": str}
-_TYPE = re.compile(r"(bool|int|double|string)(_array)?(_fixed_\d+)?\Z", re.ASCII)
+_TYPE = regex(r"(bool|int|double|string)(_array)?(_fixed_\d+)?\Z", re.ASCII)
 _KEYS = frozenset(("type", "default_value", "description", "read_only", "additional_constraints", "validation"))
-_NAME = re.compile(r"[A-Za-z_]\w*\Z", re.ASCII)
-_ROOT = re.compile(r"[A-Za-z_]\w*(?:::[A-Za-z_]\w*)*\Z", re.ASCII)
+_NAME = regex(r"[A-Za-z_]\w*\Z", re.ASCII)
+_ROOT = regex(r"[A-Za-z_]\w*(?:::[A-Za-z_]\w*)*\Z", re.ASCII)
 
 Element = bool | int | float | str
 

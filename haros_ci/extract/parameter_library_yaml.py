@@ -3,10 +3,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any, ClassVar
 
 from haros_ci.bounded_yaml import TAG, Composer, Scalar, YamlLimits
+from haros_ci.records import dataclass
 
 LIMITS = YamlLimits(characters=1_000_000, depth=50, aliases=1_000, values=20_000)
 _NUMBERS = frozenset(TAG + name for name in ("int", "float", "bool", "null"))

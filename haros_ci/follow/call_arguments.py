@@ -3,13 +3,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from haros_ci import syntax
 from haros_ci.follow import conversions, expressions, static_types
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.walk import Walk
 from haros_ci.index.types import INTEGERS, REALS
+from haros_ci.records import dataclass
 from haros_ci.syntax import Expression, Type
 from haros_ci.values.abstract import Cell, Mapped, Value
 

@@ -3,8 +3,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
-
+from haros_ci.records import dataclass, field
 from haros_ci.values.abstract import Callable, Value
 
 

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from collections.abc import Callable as Function_
 from collections.abc import Sequence
-from dataclasses import dataclass
 from functools import partial
 
 from haros_ci import syntax
@@ -24,6 +23,7 @@ from haros_ci.index.index import Source
 from haros_ci.index.mentions import GROUPING, MODULES, grouped
 from haros_ci.model.architecture import Condition
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass
 from haros_ci.syntax import Expression, Function
 from haros_ci.values.abstract import NONE, Callable, Cell, Known, Library, Object, Value
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 
 from collections.abc import Callable as Function_
 from collections.abc import Mapping
-from dataclasses import dataclass, field
 
 from haros_ci.follow.made import MadeEntity
 from haros_ci.graph.parameters import YamlFiles
@@ -15,6 +14,7 @@ from haros_ci.index.behavior_tree_files import TreeFiles
 from haros_ci.index.plugins import PluginDescription
 from haros_ci.index.xml_files import XmlFileReader
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass, field
 from haros_ci.values.abstract import Known, Opaque, Value
 from haros_ci.values.given import Marks
 

@@ -12,6 +12,7 @@ from haros_ci.follow.walk import Walk
 from haros_ci.index.index import Source
 from haros_ci.index.types import pointee
 from haros_ci.model.location import Location
+from haros_ci.regex import regex
 from haros_ci.syntax import Class, Function, Statement
 from haros_ci.values.abstract import Callable, Cell, Known, Library, Object, Opaque, Text, Value
 
@@ -30,7 +31,7 @@ CLASSES = {
     "roslib.message.get_service_class": "srv",
 }
 #: The name of an interface, with or without its module.
-_INTERFACE = re.compile(r"([a-z][a-z0-9_]*)/(?:(msg|srv|action)/)?([A-Z][A-Za-z0-9]*)", re.ASCII)
+_INTERFACE = regex(r"([a-z][a-z0-9_]*)/(?:(msg|srv|action)/)?([A-Z][A-Za-z0-9]*)", re.ASCII)
 
 
 def as_declared(

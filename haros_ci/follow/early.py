@@ -11,7 +11,7 @@ way puts what stands behind it under the opposite of all that leads there. No co
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from haros_ci import syntax
@@ -19,6 +19,7 @@ from haros_ci.follow import conversions, expressions
 from haros_ci.follow.libraries import harmless
 from haros_ci.index.types import is_smart_pointer
 from haros_ci.model.architecture import Condition
+from haros_ci.records import dataclass
 from haros_ci.syntax import Block, Expression, Statement
 from haros_ci.values.abstract import NONE, Callable, Choice, Known, Library, Object, Opaque, Pointer, Value
 

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable as Function_
 from dataclasses import replace
 from typing import TypeVar, cast
@@ -32,6 +31,7 @@ from haros_ci.follow.walk import Walk
 from haros_ci.index.index import EITHER
 from haros_ci.index.types import is_smart_pointer, pointee
 from haros_ci.model.location import Location
+from haros_ci.regex import regex
 from haros_ci.syntax import Expression
 from haros_ci.values import iterators
 from haros_ci.values.abstract import (
@@ -62,7 +62,7 @@ def evaluate(walk: Walk, frame: Frame, expression: Expression) -> Value:
 
 
 #: The last word of the names that libraries give their pointers: ``ModelPtr``, ``model_ptr``, not ``Xref``.
-POINTER = re.compile(r"(?:Ptr|PTR|Pointer|Ref|(?:^|[_:])(?:ptr|pointer|ref))\Z")
+POINTER = regex(r"(?:Ptr|PTR|Pointer|Ref|(?:^|[_:])(?:ptr|pointer|ref))\Z")
 
 
 def holds(walk: Walk, frame: Frame, expression: Expression, value: Value) -> bool | None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Callable as Function_
 from collections.abc import Sequence as Sequence_
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import partial
 
 from haros_ci import syntax
@@ -28,6 +28,7 @@ from haros_ci.follow.ros import outside_nodes, registration, ros2_nodes
 from haros_ci.follow.walk import ROOTS, OutOfSteps, Walk
 from haros_ci.index.index import Source
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass
 from haros_ci.syntax import Class, Function
 from haros_ci.values.abstract import (
     Callable,

@@ -4,12 +4,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Set
-from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 from haros_ci import syntax
 from haros_ci.index.index import Source
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass, field
 from haros_ci.syntax import Function
 from haros_ci.values.abstract import Cell, Object, Opaque, Value
 from haros_ci.values.cells import Closure

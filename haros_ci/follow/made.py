@@ -5,13 +5,14 @@ from __future__ import annotations
 
 from collections.abc import Callable as Function_
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from haros_ci.graph.parameters import Setting
 from haros_ci.graph.ros2_process import RosNode
 from haros_ci.model.architecture import Condition, Qos
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass, field
 from haros_ci.values.abstract import NONE, Callable
 from haros_ci.values.cells import Slot
 

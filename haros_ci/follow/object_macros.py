@@ -3,13 +3,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from haros_ci.follow import expressions
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.walk import Walk
 from haros_ci.index import compiled
 from haros_ci.index import macros as macros_
+from haros_ci.records import dataclass
 from haros_ci.syntax import Expression
 from haros_ci.values.abstract import Value, join
 

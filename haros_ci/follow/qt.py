@@ -6,19 +6,18 @@ doc.qt.io: QObject, QMetaObject::connectSlotsByName, QThread::run, QWidget, QGra
 
 from __future__ import annotations
 
-import re
-
 from haros_ci import syntax
 from haros_ci.follow import callbacks, methods
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.walk import Walk
+from haros_ci.regex import regex
 from haros_ci.syntax import Expression
 from haros_ci.values.abstract import NONE, Object, Value
 
 #: The macros that name a signal or slot (QObject).
 MACROS = frozenset(("SLOT", "SIGNAL"))
 #: A class of Qt, with its module or namespace, and a slot that is connected by its name.
-_CLASS, _SLOT = re.compile(r"(?:.*[.:])?(Q[A-Z]\w{1,60})"), re.compile(r"on_\w{1,80}_[a-z]\w{1,40}")
+_CLASS, _SLOT = regex(r"(?:.*[.:])?(Q[A-Z]\w{1,60})"), regex(r"on_\w{1,80}_[a-z]\w{1,40}")
 #: Classes of which a thread calls ``run``.
 _THREADS = frozenset(("QThread", "QRunnable"))
 #: What is called when something happens: virtual functions of these classes that do nothing, or the usual thing, where they are not overridden.

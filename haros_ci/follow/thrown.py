@@ -12,11 +12,11 @@ from __future__ import annotations
 import builtins
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 from haros_ci import syntax
 from haros_ci.graph.parameters import Perhaps
+from haros_ci.records import dataclass, field
 from haros_ci.syntax.walk import everything
 
 if TYPE_CHECKING:

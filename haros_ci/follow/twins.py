@@ -3,12 +3,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from haros_ci import syntax
 from haros_ci.index.mentions import last
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass
 from haros_ci.syntax import Block, Expression, Function
 
 if TYPE_CHECKING:

@@ -6,7 +6,6 @@ from __future__ import annotations
 from collections.abc import Callable as Function_
 from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
-from dataclasses import dataclass, field
 from typing import Any
 
 from haros_ci import syntax
@@ -26,6 +25,7 @@ from haros_ci.model.api import Row
 from haros_ci.model.architecture import Condition
 from haros_ci.model.build import ConfigFile
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass, field
 from haros_ci.syntax import Class, Function, Type
 from haros_ci.values.abstract import NONE, Cell, Known, Object, Opaque, Value, join
 from haros_ci.values.cells import Slot

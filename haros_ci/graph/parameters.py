@@ -4,14 +4,15 @@
 from __future__ import annotations
 
 import posixpath
-import re
 from collections.abc import Iterable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cached_property
 from hashlib import blake2b
 from typing import Any
 
 from haros_ci.model.architecture import Condition, Parameter
+from haros_ci.records import dataclass
+from haros_ci.regex import regex
 from haros_ci.substitutions.files import Files
 from haros_ci.substitutions.names import Text, literal
 from haros_ci.substitutions.yaml import YamlError, YamlValue, read_yaml
@@ -160,7 +161,7 @@ class ParameterServer:
 
 
 #: A path below a directory of the workspace, as Python launch files have them.
-_IN_WORKSPACE = re.compile(r"\$\(workspace ([^()$]*)\)/(.*)")
+_IN_WORKSPACE = regex(r"\$\(workspace ([^()$]*)\)/(.*)")
 
 
 def _fits(name: str, parts: list[str]) -> bool:

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, field
 from functools import lru_cache
 
 from haros_ci.graph.names import UNKNOWN, clean
@@ -18,6 +17,7 @@ from haros_ci.graph.words import is_rule, scalar
 from haros_ci.model.architecture import Condition
 from haros_ci.model.launch import ParameterRule
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass, field
 from haros_ci.values.abstract import Known, Opaque, Value
 from haros_ci.values.cells import Named
 

@@ -3,10 +3,11 @@
 
 from __future__ import annotations
 
-import re
 import shlex
-from dataclasses import dataclass
 from math import isfinite
+
+from haros_ci.records import dataclass
+from haros_ci.regex import regex
 
 
 @dataclass(frozen=True, slots=True)
@@ -22,15 +23,15 @@ class CommandLineArguments:
 #: A remapping rule of ROS 2 as it may stand among the other arguments of a program (rcl ``rcl_parse_arguments``, "in its deprecated form"); ``?`` is not known.
 _TOKENS = r"[A-Za-z_?][\w?]*(?:/[A-Za-z_?][\w?]*)*"
 _NAME = rf"(?:rostopic://|rosservice://)?(?:/|~/)?{_TOKENS}"
-_BARE_RULE = re.compile(
+_BARE_RULE = regex(
     rf"(?:[A-Za-z_?][\w?]*:)?(?:(?:__node|__name):=[A-Za-z_?][\w?]*|__ns:=(?:/|[/?]{_TOKENS})|(?!__(?:node|name|ns):=){_NAME}:={_NAME})"
 )
 #: The path of a package, as paths in values begin with it: one word.
-_FOUND = re.compile(r"\$\([\w-]+ [\w-]+\)")
+_FOUND = regex(r"\$\([\w-]+ [\w-]+\)")
 
 #: Stands in a word of a command line for a part that is not known, where it is certain that the word is one.
 PART = "\ue003"
-_QUOTED = re.compile(r"'[^']*'|\"[^\"]*\"")
+_QUOTED = regex(r"'[^']*'|\"[^\"]*\"")
 
 
 def with_parts(text: str, words: tuple[str, ...]) -> tuple[str, ...]:

@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
 from functools import cache
 from typing import Any
 
@@ -28,6 +27,7 @@ from haros_ci.query.findings import Match, grouped
 from haros_ci.query.queries import Scenes
 from haros_ci.query.queries import run as ask
 from haros_ci.query.system import QuerySystem
+from haros_ci.records import dataclass, field
 from haros_ci.results.copied import together
 from haros_ci.results.result import Report, Result
 from haros_ci.results.rule import Rule

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
 from typing import Any
 
 from haros_ci.haros_json.places import JsonPlaces
@@ -16,6 +15,7 @@ from haros_ci.query.engine import entities_of
 from haros_ci.query.findings import Match
 from haros_ci.query.links import QueryLink
 from haros_ci.query.resources import Resource
+from haros_ci.records import dataclass, field
 from haros_ci.report.message import plain
 from haros_ci.results.counted import is_set_aside
 from haros_ci.results.result import BaselineState, Result

@@ -12,11 +12,13 @@ import unicodedata
 from collections.abc import Iterable, Mapping
 from hashlib import sha256
 
+from haros_ci.regex import regex
+
 #: Bytes of an id; the longest file name of common file systems is 255, and a suffix is to follow.
 LONGEST = 150
 _ALLOWED = frozenset(" _-.+=@,()")
 #: Names of devices on Windows, with any suffix.
-_DEVICES = re.compile(r"(con|prn|aux|nul|(com|lpt)[0-9])(\..*)?", re.IGNORECASE)
+_DEVICES = regex(r"(con|prn|aux|nul|(com|lpt)[0-9])(\..*)?", re.IGNORECASE)
 #: What every object of JavaScript has, so that a look-up by such an id finds what was never put there; and our own file.
 _TAKEN = frozenset(
     "__proto__ __definegetter__ __definesetter__ __lookupgetter__ __lookupsetter__ constructor hasownproperty isprototypeof"

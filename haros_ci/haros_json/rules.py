@@ -5,10 +5,10 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
 from typing import Any
 
 from haros_ci.haros_json.texts import words
+from haros_ci.records import dataclass, field
 from haros_ci.results.rule import Rule
 
 #: HAROS's common rules (definitions.yaml); those of its plug-ins begin with the plug-in's name.

@@ -5,20 +5,21 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
 from math import isfinite
 from typing import Any
 
 from haros_ci.model.build import Build
 from haros_ci.model.measurement import Measurement
 from haros_ci.model.package import SourceFile
+from haros_ci.records import dataclass
+from haros_ci.regex import regex
 
 NODELET = "nodelet::Nodelet"
 COMPONENT = "rclcpp_components::NodeFactory"
 #: Counts of lines that can be a function's length; the first that is measured of functions is taken.
 LENGTHS = ("ploc", "eloc", "sloc", "lloc")
 #: A time as HAROS writes it.
-TIME = re.compile(r"[0-9]{4}(-[0-9]{2}){4}", re.ASCII)
+TIME = regex(r"[0-9]{4}(-[0-9]{2}){4}", re.ASCII)
 #: What the history has of each revision.
 HISTORY = (
     "timestamps",

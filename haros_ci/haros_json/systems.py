@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import dataclass
 from hashlib import sha256
 from typing import Any
 
@@ -21,6 +20,7 @@ from haros_ci.model.location import Location
 from haros_ci.query.links import QueryLink
 from haros_ci.query.resources import NodeInstance, QueryParameter, Resource
 from haros_ci.query.system import QuerySystem
+from haros_ci.records import dataclass
 from haros_ci.report.model_json import plain
 
 #: HAROS's lists of links, and ours that are in them.

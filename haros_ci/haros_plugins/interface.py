@@ -5,10 +5,10 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, field
 from typing import Any
 
 from haros_ci.haros_plugins.views import CLASSES, EntityView, ReportedLocation
+from haros_ci.records import dataclass, field
 
 Say = Callable[[dict[str, Any]], None]
 

@@ -6,7 +6,6 @@ from __future__ import annotations
 import ast
 import warnings
 from collections.abc import Mapping
-from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
@@ -15,6 +14,7 @@ from haros_ci.bounded_yaml import data as yaml_data
 from haros_ci.errors import UserError
 from haros_ci.haros_plugins.common import METRICS, RULES
 from haros_ci.plugins.place import digest, located
+from haros_ci.records import dataclass, field
 from haros_ci.results.rule import Level, Rule
 
 PREFIX = "haros_plugin_"

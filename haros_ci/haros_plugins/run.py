@@ -8,7 +8,6 @@ import pickle
 import sys
 from collections.abc import Iterable, Mapping, Sequence
 from contextlib import ExitStack
-from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
@@ -17,6 +16,7 @@ from haros_ci.haros_plugins.manifest import HarosPlugin
 from haros_ci.linters.conversation import Conversation, Ended
 from haros_ci.linters.linter import Command
 from haros_ci.linters.process import TimedOut, Unstartable, search_path
+from haros_ci.records import dataclass, field
 from haros_ci.scratch import scratch_directory
 from haros_ci.writing import put_below
 

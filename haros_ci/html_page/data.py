@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
 from typing import Any
 
 from haros_ci import __version__
@@ -23,6 +22,7 @@ from haros_ci.model.architecture import KINDS, PROVENANCES, Configuration
 from haros_ci.model.build import Build
 from haros_ci.model.measurement import Measurement
 from haros_ci.model.workspace import Workspace
+from haros_ci.records import dataclass, field
 from haros_ci.report import summary
 from haros_ci.report.measurements import Limit
 from haros_ci.results.result import Report

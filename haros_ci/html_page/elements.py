@@ -5,9 +5,9 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, field
 
 from haros_ci.model.architecture import Configuration, Node
+from haros_ci.records import dataclass, field
 from haros_ci.report.channels import OUTGOING, Channel, channels, nodes_of
 
 #: Names that nearly every node has or uses, by the switch that shows them: the last part of the name.

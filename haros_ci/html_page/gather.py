@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from datetime import datetime, timezone
 from functools import partial
 from typing import Any
@@ -22,6 +22,7 @@ from haros_ci.html_page.verdicts import Recorded
 from haros_ci.measuring.measures import measure, measuring_tools
 from haros_ci.model.architecture import Architecture, Configuration
 from haros_ci.model.workspace import Workspace
+from haros_ci.records import dataclass
 from haros_ci.report.measurements import Limit
 from haros_ci.results.result import Report
 from haros_ci.results.values import plain

@@ -5,10 +5,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
 from typing import Any
 
 from haros_ci.html_page.elements import Drawn, Elements
+from haros_ci.records import dataclass, field
 
 #: Sizes in px: a character, a bold and a small one, a line of what only one node has, a node's head, a channel, and how wide elements are.
 CHARACTER, BOLD, SMALL, LINE, HEAD, CHANNEL = 6.6, 7.6, 6.0, 15, 38, 24

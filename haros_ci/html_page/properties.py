@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import Any
 
 from haros_ci.behaviour.declared import Stated
@@ -12,6 +11,7 @@ from haros_ci.behaviour.text import canonical
 from haros_ci.behaviour.tree import Place
 from haros_ci.checking.properties import Properties
 from haros_ci.html_page.pool import NONE, Pool
+from haros_ci.records import dataclass
 
 #: Properties that are shown, and of one the topics, and the configurations that it is about.
 MOST, MOST_TOPICS, MOST_SYSTEMS = 2_000, 40, 100

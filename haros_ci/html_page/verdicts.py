@@ -9,11 +9,11 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from typing import Any
 
 from haros_ci.errors import UserError
 from haros_ci.html_page.pool import NONE, Pool
+from haros_ci.records import dataclass
 
 #: Properties of a file, messages of a violation, values of a message, and publishers of it that are shown.
 MOST, MOST_MESSAGES, MOST_VALUES, MOST_PUBLISHERS = 2_000, 60, 20, 20

@@ -4,12 +4,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, field
 
 from haros_ci.index.index import TREES, Index, Source
 from haros_ci.index.xml_files import XmlFileReader
 from haros_ci.model.build import Build
 from haros_ci.model.launch import LaunchElement
+from haros_ci.records import dataclass, field
 from haros_ci.syntax import Function
 
 #: Methods of a factory: they register types of nodes, load libraries that do, read trees, create trees.

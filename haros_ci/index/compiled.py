@@ -8,10 +8,10 @@ A macro that nobody is seen to define is not known: an option of the compiler or
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, field
 
 from haros_ci.index.index import Index
 from haros_ci.model.preprocessor_conditions import LONGEST, holds, is_defined
+from haros_ci.records import dataclass, field
 from haros_ci.syntax import Directive
 
 #: Directives of one source file with its headers, headers inside headers, and source files of which a header is asked for.

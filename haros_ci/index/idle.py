@@ -6,25 +6,26 @@ Who adds or changes such a statement has the same programs but for their lines, 
 
 from __future__ import annotations
 
-import re
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import cast
 
 from haros_ci import syntax
 from haros_ci.index.mentions import last
+from haros_ci.records import dataclass
+from haros_ci.regex import regex
 from haros_ci.syntax import Block, Function, Program, Statement
 from haros_ci.syntax.codec import plain
 from haros_ci.syntax.node import Record
 from haros_ci.syntax.source import Source
 
 #: Macros that log what they are given (rclcpp/logging.hpp, ros/console.h, nodelet/nodelet.h, rcutils/logging_macros.h), but for those that call a function.
-_LOG = re.compile(
+_LOG = regex(
     r"(?:RCLCPP|ROS|NODELET|RCUTILS_LOG)_(?:DEBUG|INFO|WARN|ERROR|FATAL)"
     r"(?:_(?:STREAM|NAMED|ONCE|THROTTLE|SKIPFIRST|DELAYED|COND|EXPRESSION))*"
 )
-_WORD = re.compile(rb"\w+")
+_WORD = regex(rb"\w+")
 #: What the name of a lambda has behind that of the function around it.
 _LAMBDA = "::(lambda)"
 #: Functions of nodes, clocks and texts that only read, by the last parts of their names.

@@ -11,10 +11,10 @@ from __future__ import annotations
 import posixpath
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from haros_ci.index.trace import Trace, Traced
+from haros_ci.records import dataclass, field
 from haros_ci.syntax import Alias, Class, Field, Function
 from haros_ci.syntax.source import Source as Source
 

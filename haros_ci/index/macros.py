@@ -7,12 +7,13 @@ import re
 from typing import TYPE_CHECKING
 
 from haros_ci import syntax
+from haros_ci.regex import regex
 from haros_ci.syntax import Expression
 
 if TYPE_CHECKING:
     from haros_ci.index.index import Index, Source
 
-_TOKEN = re.compile(
+_TOKEN = regex(
     r"""\s*(?:
         (?P<str>(?:u8|u|U)?"(?:[^"\\\n]|\\.)*")
       | (?P<chr>'(?:[^'\\\n]|\\.)')
@@ -23,11 +24,9 @@ _TOKEN = re.compile(
     re.VERBOSE,
 )
 #: What a macro that names a class stands for.
-_QUALIFIED = re.compile(r"(?:::)?[A-Za-z_]\w*(?:::[A-Za-z_]\w*)+")
-_INTEGER = re.compile(
-    r"(?:0[xX](?P<hex>[0-9a-fA-F]+)|0[bB](?P<bin>[01]+)|(?P<oct>0[0-7]+)|(?P<dec>0|[1-9][0-9]*))[uUlLzZ]*"
-)
-_REAL = re.compile(r"((?:[0-9]+\.[0-9]*|\.[0-9]+|[0-9]+(?=[eE]))(?:[eE][-+]?[0-9]+)?)(?:[fF]|[lL])?")
+_QUALIFIED = regex(r"(?:::)?[A-Za-z_]\w*(?:::[A-Za-z_]\w*)+")
+_INTEGER = regex(r"(?:0[xX](?P<hex>[0-9a-fA-F]+)|0[bB](?P<bin>[01]+)|(?P<oct>0[0-7]+)|(?P<dec>0|[1-9][0-9]*))[uUlLzZ]*")
+_REAL = regex(r"((?:[0-9]+\.[0-9]*|\.[0-9]+|[0-9]+(?=[eE]))(?:[eE][-+]?[0-9]+)?)(?:[fF]|[lL])?")
 _ESCAPES = {"n": "\n", "t": "\t", "\\": "\\", '"': '"', "'": "'"}
 _LEVELS = {"+": 1, "-": 1, "*": 2, "/": 2, "%": 2}
 #: Longer macros are no values; parentheses inside parentheses that are read.

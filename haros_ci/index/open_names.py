@@ -3,15 +3,15 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 
 from haros_ci.index.common_messages import COMMON
 from haros_ci.index.index import Index, Source
+from haros_ci.regex import regex
 
 #: Namespaces of interfaces inside of their packages, and where rosidl puts underscores into the names of their headers (rosidl_cmake).
 INTERFACES = frozenset(("msg", "srv", "action"))
-_UPPER_WORD, _LOWER_UPPER = re.compile(r"(.)([A-Z][a-z]+)"), re.compile(r"([a-z0-9])([A-Z])")
+_UPPER_WORD, _LOWER_UPPER = regex(r"(.)([A-Z][a-z]+)"), regex(r"([a-z0-9])([A-Z])")
 
 
 def through(index: Index, name: str, source: Source) -> str:

@@ -4,9 +4,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, Generic, TypeVar, overload
 
+from haros_ci.records import dataclass, field
 from haros_ci.syntax import Alias, Function
 from haros_ci.syntax.source import Source
 

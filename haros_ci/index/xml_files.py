@@ -5,9 +5,9 @@ from __future__ import annotations
 
 import posixpath
 from collections.abc import Callable
-from dataclasses import dataclass
 
 from haros_ci.model.launch import LaunchElement, LaunchFile
+from haros_ci.records import dataclass
 from haros_ci.substitutions.files import Files
 from haros_ci.substitutions.names import literal
 

@@ -5,14 +5,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
-from dataclasses import dataclass
 
 from haros_ci.interfaces.common import variants
 from haros_ci.model.build import Interface
+from haros_ci.records import dataclass
+from haros_ci.regex import regex
 
-_TYPE = re.compile(
-    r"(?P<base>[\w/]+)(?:<=(?P<length>\d{1,9}))?(?P<array>\[(?P<bound><=)?(?P<size>\d{0,9})\])?\Z", re.ASCII
-)
+_TYPE = regex(r"(?P<base>[\w/]+)(?:<=(?P<length>\d{1,9}))?(?P<array>\[(?P<bound><=)?(?P<size>\d{0,9})\])?\Z", re.ASCII)
 
 
 @dataclass(frozen=True, slots=True)

@@ -8,7 +8,9 @@ modules ``pkg.msg``, ``pkg.srv`` and ``pkg.action``. Of a service or action they
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+
+from haros_ci.records import dataclass
+from haros_ci.regex import regex
 
 #: Endings of the types that are made of a service or action, besides its name.
 ENDINGS = {
@@ -20,11 +22,11 @@ ENDINGS = {
         "_GetResult_Response", "_SendGoal_Event", "_GetResult_Event",
     ),
 }  # fmt: skip
-_NEW_HEADER = re.compile(
+_NEW_HEADER = regex(
     r"(?P<package>[a-z]\w*)/(?P<kind>msg|srv|action)/(?:detail/)?(?P<stem>\w+?)(?:__\w+)?\.h(?:pp)?\Z", re.ASCII
 )
-_OLD_HEADER = re.compile(r"(?P<package>[a-z]\w*)/(?P<stem>[A-Z][A-Za-z0-9_]*)\.h\Z", re.ASCII)
-_MODULE = re.compile(r"(?P<package>[a-z]\w*)\.(?P<kind>msg|srv|action)\.(?P<name>[A-Z]\w*)\Z", re.ASCII)
+_OLD_HEADER = regex(r"(?P<package>[a-z]\w*)/(?P<stem>[A-Z][A-Za-z0-9_]*)\.h\Z", re.ASCII)
+_MODULE = regex(r"(?P<package>[a-z]\w*)\.(?P<kind>msg|srv|action)\.(?P<name>[A-Z]\w*)\Z", re.ASCII)
 
 
 @dataclass(frozen=True, slots=True)

@@ -4,10 +4,11 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 
 from haros_ci.interfaces.definitions import Definitions, field_type
 from haros_ci.model.build import Interface, InterfaceField
+from haros_ci.records import dataclass
+from haros_ci.regex import regex
 
 #: Methods and such of all generated classes: rosidl_generator_py, genpy.
 OF_ALL = frozenset(
@@ -20,7 +21,7 @@ _PARTS = {
     "Result": ("action", 1),
     "Feedback": ("action", 2),
 }
-_NEW = re.compile(
+_NEW = regex(
     r"(?P<package>[a-z]\w*)\.(?P<kind>msg|srv|action)\.(?P<name>[A-Z]\w*)(?:\.(?P<part>[A-Z]\w*))?\Z", re.ASCII
 )
 

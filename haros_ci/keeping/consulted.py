@@ -8,7 +8,6 @@ something, which is known by name. From the facts of a changed file before and a
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
 from functools import lru_cache
 from struct import pack, unpack
 from zlib import crc32
@@ -18,6 +17,7 @@ from haros_ci.index.index import Index, Source
 from haros_ci.index.relevance import Answers, Relevance
 from haros_ci.index.trace import XML_FILES, Trace
 from haros_ci.keeping.moves import Lines, moves
+from haros_ci.records import dataclass, field
 from haros_ci.syntax import Alias, Class, Directive, Field, Function, Program
 from haros_ci.syntax.codec import plain
 

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from base64 import b64decode, b64encode
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 from hashlib import sha256
 from struct import error, pack, unpack
 from typing import Any
@@ -23,6 +23,7 @@ from haros_ci.keeping.kept_json import PlaceLost, Unfit, entity_from_json, from_
 from haros_ci.keeping.moves import Lines
 from haros_ci.model.location import Location
 from haros_ci.model.workspace import Problem
+from haros_ci.records import dataclass, field
 from haros_ci.values.abstract import Value
 from haros_ci.values.given import Unseen
 from haros_ci.values.questions import Answer

@@ -8,8 +8,8 @@ what has not changed only the lines are others.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 
+from haros_ci.records import dataclass
 from haros_ci.syntax import Function, Program
 from haros_ci.syntax.node import Record
 

@@ -4,10 +4,10 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass, field
 from functools import cache
 
 from haros_ci.knowledge.facts import Facts
+from haros_ci.records import dataclass, field
 
 #: The distributions of ROS 1 that the index has.
 ROS_1 = ("groovy", "hydro", "indigo", "jade", "kinetic", "lunar", "melodic", "noetic")

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import json
-import re
 from collections.abc import Iterable, Iterator
 from posixpath import dirname, normpath, relpath
 
@@ -13,6 +12,7 @@ from haros_ci.linters.linter import Batch, Command, Finding, GaveUp, LintOptions
 from haros_ci.model.location import Location
 from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Store, Workspace
+from haros_ci.regex import regex
 from haros_ci.results.result import Result
 from haros_ci.results.rule import Level
 
@@ -36,7 +36,7 @@ INERT = frozenset(
 #: Black applies ``exclude`` only to files that it finds itself; ``force-exclude`` also covers files on the command line.
 EXCLUDES = ("exclude", "extend-exclude", "force-exclude")
 
-_ERROR = re.compile(r"error: cannot (?:parse: (.+?):(\d+):\d+|format (.+?): (?:Cannot parse.*?: (\d+):\d+)?.*)$")
+_ERROR = regex(r"error: cannot (?:parse: (.+?):(\d+):\d+|format (.+?): (?:Cannot parse.*?: (\d+):\d+)?.*)$")
 
 
 def locate(options: LintOptions) -> Program | None:

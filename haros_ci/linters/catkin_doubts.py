@@ -10,9 +10,10 @@ from haros_ci.model.location import Location
 from haros_ci.model.package import SourceFile
 from haros_ci.model.submodules import is_below
 from haros_ci.model.workspace import Workspace
+from haros_ci.regex import regex
 
-_FILE = re.compile(r"'([^']*)'")
-_VARIABLE = re.compile(r"\$\{(\w+)\}")
+_FILE = regex(r"'([^']*)'")
+_VARIABLE = regex(r"\$\{(\w+)\}")
 #: Commands that set a variable to what CMake alone knows (cmake-commands(7)), with the place of its name.
 _COMPUTED = (
     r"(?:get_filename_component\s*\(\s*{name}\b|string\s*\([^()]{{0,300}}\b{name}\b|list\s*\([^()]{{0,300}}\b{name}\b"
@@ -21,7 +22,7 @@ _COMPUTED = (
     r"|set\s*\(\s*{name}\s[^()]{{0,300}}\$\{{)"
 )
 #: Variables that catkin_lint evaluates; others that CMake sets itself (``CMAKE_LIBRARY_ARCHITECTURE``) it takes for empty.
-_KNOWN = re.compile(
+_KNOWN = regex(
     r"CMAKE_(?:(?:CURRENT_)?(?:SOURCE|BINARY)_DIR|CURRENT_LIST_(?:DIR|FILE)|INSTALL_PREFIX)|PROJECT_NAME|PROJECT_VERSION\w*"
     r"|(?:CATKIN|catkin)_\w*|\w+_(?:SOURCE|BINARY)_DIR"
 )
@@ -30,18 +31,18 @@ _SET = r"\bset\s*\(\s*{name}\s"
 #: What CMake tries where a source has no extension (policy CMP0115).
 _EXTENSIONS = "c C c++ cc cpp cxx cu mpp m M mm ixx cppm h hh h++ hm hpp hxx in txx f F for f77 f90".split()
 #: The command that a message begins with, and how the names of those end that have sources.
-_COMMAND = re.compile(r"(?<!\w)(\w*)\(\)")
+_COMMAND = regex(r"(?<!\w)(\w*)\(\)")
 _MAKES = ("executable", "library")
 _OF_SOURCES = ("target_sources", "catkin_add_gtest", "add_rostest_gtest")
-_SIMPLE = re.compile(r"^[ \t]*(?:cs_export\s*\(|find_package\s*\(\s*catkin_simple\b)", re.MULTILINE | re.IGNORECASE)
+_SIMPLE = regex(r"^[ \t]*(?:cs_export\s*\(|find_package\s*\(\s*catkin_simple\b)", re.MULTILINE | re.IGNORECASE)
 #: Commands that install: ``install()``, ``catkin_install_python()``, ``cs_install()`` and such of one's own.
-_INSTALLS = re.compile(r"^[ \t]*\w*install\w*[ \t]*\(", re.MULTILINE | re.IGNORECASE)
+_INSTALLS = regex(r"^[ \t]*\w*install\w*[ \t]*\(", re.MULTILINE | re.IGNORECASE)
 #: Rules about files and directories that are not there.
 _OF_FILES = frozenset(("MISSING_FILE", "MISSING_DIRECTORY", "MISSING_SUBDIR", "MISSING_INCLUDE_PATH", "MISSING_PLUGIN"))
-_GENERATED = re.compile(r"\bgenerate_messages\s*\(\s*DEPENDENCIES\s([^()]{0,5000})\)", re.IGNORECASE)
+_GENERATED = regex(r"\bgenerate_messages\s*\(\s*DEPENDENCIES\s([^()]{0,5000})\)", re.IGNORECASE)
 #: The type of std_msgs that interfaces name without its package.
-_BARE_HEADER = re.compile(r"^[ \t]*Header\b", re.MULTILINE)
-_FOUND = re.compile(r"\bfind_package\s*\(([^()]{0,5000})\)", re.IGNORECASE)
+_BARE_HEADER = regex(r"^[ \t]*Header\b", re.MULTILINE)
+_FOUND = regex(r"\bfind_package\s*\(([^()]{0,5000})\)", re.IGNORECASE)
 #: Packages whose configuration finds a package of messages, too: what catkin_package(CATKIN_DEPENDS) of theirs names, or of what that finds.
 #: A test compares it with the manifests of the distributions.
 BRINGS = {
@@ -57,19 +58,19 @@ BRINGS = {
 }
 _HEADERS = (".h", ".hh", ".hpp", ".hxx")
 #: ``add_subdirectory(../shared shared)``: CMake asks for a build directory, the second argument, where the first is outside.
-_OUTSIDE = re.compile(
+_OUTSIDE = regex(
     r"[ \t]*add_subdirectory\s*\(\s*\"?([^\s()\"]+)\"?\s+(?!EXCLUDE_FROM_ALL\b|SYSTEM\b)[^\s()]", re.IGNORECASE
 )
 #: What setup.py installs.
-_MODULES = re.compile(
+_MODULES = regex(
     r"\b(?:packages|package_dir|package_data|py_modules|scripts|find_packages|find_namespace_packages|data_files|ext_modules|entry_points)\b"
 )
 #: ``package_dir={'': 'src'}``, the directories in it, and what else setup.py can install.
-_PACKAGE_DIR = re.compile(r"\bpackage_dir['\"]?\s*[=:]\s*\{([^{}]{0,1000})\}")
-_FOLDER = re.compile(r"['\"]([\w.]{0,200})['\"]\s*:\s*['\"]([^'\"]{1,200})['\"]")
-_PACKAGES = re.compile(r"\bpackages['\"]?\s*[=:]\s*\[([^\[\]]{0,1000})\]")
-_QUOTED = re.compile(r"['\"]([\w.]{1,200})['\"]")
-_OTHERS = re.compile(
+_PACKAGE_DIR = regex(r"\bpackage_dir['\"]?\s*[=:]\s*\{([^{}]{0,1000})\}")
+_FOLDER = regex(r"['\"]([\w.]{0,200})['\"]\s*:\s*['\"]([^'\"]{1,200})['\"]")
+_PACKAGES = regex(r"\bpackages['\"]?\s*[=:]\s*\[([^\[\]]{0,1000})\]")
+_QUOTED = regex(r"['\"]([\w.]{1,200})['\"]")
+_OTHERS = regex(
     r"\b(?:scripts|py_modules|data_files|ext_modules|entry_points|package_data|find_packages|find_namespace_packages)['\"]?\]?\s*[=:(]"
 )
 #: Characters of a statement that are looked at.

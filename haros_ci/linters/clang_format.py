@@ -13,6 +13,7 @@ from haros_ci.linters.tool_xml import elements
 from haros_ci.model.location import Location
 from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Store, Workspace
+from haros_ci.regex import regex
 from haros_ci.results.result import Result
 from haros_ci.results.rule import Level
 
@@ -27,8 +28,8 @@ RULE = "formatting"
 #: The most places reported of one file; a file that was never formatted has hundreds.
 MOST = 25
 #: Asks for the style of a directory anywhere (clang-format 21), or may do so in disguise.
-_ELSEWHERE = re.compile(r"InheritParentConfig\s*=|\\(?:[xuU]|\r?\n)")
-_NAME = re.compile(r"^Formatting \[\d+/\d+\] (.+)$", re.MULTILINE)
+_ELSEWHERE = regex(r"InheritParentConfig\s*=|\\(?:[xuU]|\r?\n)")
+_NAME = regex(r"^Formatting \[\d+/\d+\] (.+)$", re.MULTILINE)
 _DOCUMENT = b"<?xml version='1.0'?>"
 
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import json
 import os
-import re
 from collections.abc import Iterable, Iterator
 from posixpath import dirname, join, relpath
 
@@ -15,6 +14,7 @@ from haros_ci.linters.linter import Batch, Command, Finding, GaveUp, LintOptions
 from haros_ci.model.location import Location
 from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Store, Workspace
+from haros_ci.regex import regex
 from haros_ci.results.result import Related, Result
 from haros_ci.results.rule import Level
 
@@ -31,7 +31,7 @@ SETTINGS = ".clang-tidy"
 CHECKS = "bugprone-*,-bugprone-easily-swappable-parameters,clang-analyzer-*,clang-diagnostic-*,performance-*"
 LEVELS = {"error": Level.ERROR, "fatal error": Level.ERROR, "warning": Level.WARNING}
 
-_LINE = re.compile(r"(.+?):(\d+):(\d+): (fatal error|error|warning|note): (.*?)(?: \[([\w.,+-]+)\])?$")
+_LINE = regex(r"(.+?):(\d+):(\d+): (fatal error|error|warning|note): (.*?)(?: \[([\w.,+-]+)\])?$")
 
 
 def locate(options: LintOptions) -> Program | None:

@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import json
 import os
-import re
 from collections.abc import Iterable, Iterator
 from posixpath import dirname, join, normpath
 
@@ -14,6 +13,7 @@ from haros_ci.linters.linter import Batch, Command, Finding, GaveUp, LintOptions
 from haros_ci.model.package import LANGUAGES as ALL_LANGUAGES
 from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Store, Workspace
+from haros_ci.regex import regex
 from haros_ci.results.result import Result
 from haros_ci.results.rule import Level
 
@@ -34,7 +34,7 @@ LIST_SIZE = 1_000_000
 #: As many of them count for each option.
 MOST_LISTS = 8
 
-_LINE = re.compile(r"(.+):(\d+): (\S+) ==> (.+)$")
+_LINE = regex(r"(.+):(\d+): (\S+) ==> (.+)$")
 
 
 def locate(options: LintOptions) -> Program | None:

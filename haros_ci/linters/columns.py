@@ -7,8 +7,9 @@ import re
 from functools import lru_cache
 
 from haros_ci.model.location import Location
+from haros_ci.regex import regex
 
-_NEWLINE = re.compile("\r\n|\r|\n")
+_NEWLINE = regex("\r\n|\r|\n")
 
 
 def from_bytes(line: str, offset: object) -> int | None:

@@ -6,11 +6,12 @@ from __future__ import annotations
 import re
 
 from haros_ci.model.workspace import Workspace
+from haros_ci.regex import regex
 from haros_ci.results.code_alone import without_comments
 
-_SET = re.compile(r"\b(?:set_source_files_properties|set_property)\s*\(([^()]{1,20000})\)", re.I)
-_AS_CPP = re.compile(r"(?<!\w)LANGUAGE[\s\"\];]+[\[\"=]*CXX\b")
-_WORD = re.compile(r"[^\s\";\[\]]{1,1000}")
+_SET = regex(r"\b(?:set_source_files_properties|set_property)\s*\(([^()]{1,20000})\)", re.I)
+_AS_CPP = regex(r"(?<!\w)LANGUAGE[\s\"\];]+[\[\"=]*CXX\b")
+_WORD = regex(r"[^\s\";\[\]]{1,1000}")
 
 
 def compiled_as_cpp(workspace: Workspace) -> frozenset[str]:

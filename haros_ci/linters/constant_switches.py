@@ -5,11 +5,12 @@ from __future__ import annotations
 
 import re
 
+from haros_ci.regex import regex
 from haros_ci.results.scope import scopes
 
-_IF = re.compile(r"\bif\s*(?:constexpr\s*)?\(")
-_NAME = re.compile(r"(?<![\w.>:])[A-Za-z_]\w*(?!\w|\s*(?:\(|\.|->|::|\[))")
-_COMMENT = re.compile(r"//[^\n]*|/\*.*?(?:\*/|\Z)", re.DOTALL)
+_IF = regex(r"\bif\s*(?:constexpr\s*)?\(")
+_NAME = regex(r"(?<![\w.>:])[A-Za-z_]\w*(?!\w|\s*(?:\(|\.|->|::|\[))")
+_COMMENT = regex(r"//[^\n]*|/\*.*?(?:\*/|\Z)", re.DOTALL)
 _WORDS = frozenset(("true", "false", "not", "and", "or"))
 #: Lines that a condition may have, and names in it.
 _LINES = 6

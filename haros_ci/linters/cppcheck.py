@@ -30,6 +30,7 @@ from haros_ci.linters.tool_xml import ToolElement, elements
 from haros_ci.model.location import Location
 from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Store, Workspace
+from haros_ci.regex import regex
 from haros_ci.results.code_alone import code_alone
 from haros_ci.results.result import Related, Result
 from haros_ci.results.rule import Level
@@ -55,7 +56,7 @@ ABOUT_ITSELF = frozenset(
     {"checkersReport", "noValidConfiguration", "toomanyconfigs", "missingInclude", "missingIncludeSystem"}
 )
 #: What it writes when it begins a file.
-PROGRESS = re.compile(rb"^Checking (.+?) \.\.\.$", re.MULTILINE)
+PROGRESS = regex(rb"^Checking (.+?) \.\.\.$", re.MULTILINE)
 SOURCES = frozenset("c cc cpp cxx c++ cu".split())
 
 

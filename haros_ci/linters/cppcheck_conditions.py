@@ -5,6 +5,8 @@ from __future__ import annotations
 
 import re
 
+from haros_ci.regex import regex
+
 #: Rules that compare values.
 OF_VALUES = frozenset(
     """
@@ -12,14 +14,14 @@ OF_VALUES = frozenset(
     unsignedLessThanZero unsignedPositive
     """.split()
 )
-_NUMBER = re.compile(r"(?<![\w.'])(?:0[xX]([0-9a-fA-F']{1,40})|([1-9][0-9']{0,40}))[uUlLzZ]{0,3}(?![\w']|\.\d)")
+_NUMBER = regex(r"(?<![\w.'])(?:0[xX]([0-9a-fA-F']{1,40})|([1-9][0-9']{0,40}))[uUlLzZ]{0,3}(?![\w']|\.\d)")
 _LARGEST = 2**63 - 1
-_OPPOSITE = re.compile(r"opposite to previous condition")
-_HIDDEN = re.compile(
+_OPPOSITE = regex(r"opposite to previous condition")
+_HIDDEN = regex(
     r"//[^\n]*|/\*.*?(?:\*/|\Z)|\"(?:[^\"\\\n]|\\.){0,1000}\"|'(?:[^'\\\n]|\\.){1,8}'|\bR\"\(.{0,4000}?\)\"", re.DOTALL
 )
-_ELSE_IF = re.compile(r"\belse\s+if\s*(?:constexpr\s*)?\(|\bif\s*(?:constexpr\s*)?\(")
-_ELSE = re.compile(r"\s*else\b")
+_ELSE_IF = regex(r"\belse\s+if\s*(?:constexpr\s*)?\(|\bif\s*(?:constexpr\s*)?\(")
+_ELSE = regex(r"\s*else\b")
 #: Characters that are read behind a condition.
 _LONGEST = 20_000
 

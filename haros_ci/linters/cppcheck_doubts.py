@@ -20,23 +20,24 @@ from haros_ci.linters.cppcheck_uses import (
     is_pointed_to,
 )
 from haros_ci.linters.cppcheck_ways import OF_WAYS, is_list_of_values, sets_nothing
+from haros_ci.regex import regex
 from haros_ci.results.code_alone import code_alone
 from haros_ci.results.scope import scopes
 
 #: A literal of the user's own that takes a default, as pybind11's arguments do: ``"steps"_a = false``.
-_NAMED_ARGUMENT = re.compile(r"\"_[A-Za-z]\w*[ \t]*=(?!=)")
+_NAMED_ARGUMENT = regex(r"\"_[A-Za-z]\w*[ \t]*=(?!=)")
 _OF_LITERALS = frozenset({"assignBoolToPointer", "selfAssignment", "AssignmentIntegerToAddress", "stringLiteralWrite"})
 #: An assertion that says why: ``assert(ok && "no solution" && __LINE__)``; cppcheck knows that of two parts alone.
-_SAID = re.compile(r"\b\w*(?:assert|ASSERT|Assert|CHECK|REQUIRE|EXPECT)\w*[ \t]*\(.*&&[ \t]*\"")
+_SAID = regex(r"\b\w*(?:assert|ASSERT|Assert|CHECK|REQUIRE|EXPECT)\w*[ \t]*\(.*&&[ \t]*\"")
 #: ``Same expression on both sides of '-'``.
-_BOTH_SIDES = re.compile(r"both sides of '([^'\s]{1,3})'")
+_BOTH_SIDES = regex(r"both sides of '([^'\s]{1,3})'")
 _LONGEST = 2000
 _OF_UNUSED = frozenset({"unreadVariable", "unusedVariable"})
 #: ``Variable 'pose(2)' is assigned …`` and ``Unused variable: pose``.
-_SUBJECT = re.compile(r"'([^']+)'|: (\w+)\.?$")
+_SUBJECT = regex(r"'([^']+)'|: (\w+)\.?$")
 _OF_UNSET = frozenset({"uninitvar", "legacyUninitvar", "uninitStructMember"})
 #: ``Uninitialized variable: made.cost``: to return *made* copies the member, and the caller may set it.
-_MEMBER = re.compile(r": (\w+)\.\w+$")
+_MEMBER = regex(r": (\w+)\.\w+$")
 #: Types whose objects refer to what others own: who writes to them writes there.
 _VIEW = (
     r"\b(?:(?:Ref|Map|Block|VectorBlock|span|mdspan|ArrayRef|reference_wrapper)\s*<[^;{{}}()]{{0,200}}>|Mat_?(?:<[^;<>]{{0,200}}>)?)"
@@ -49,50 +50,48 @@ _PART = (
     r"|bottomRightCorner|linear|translation|rotation|coeffRef|transpose|reshaped|rowRange|colRange)\s*[<(]"
 )
 _BINDING = r"\bauto\s*(?:&&?\s*)?\[[^\]]{{0,200}}\b{name}\b[^\]]{{0,200}}\]"
-_COMMENT = re.compile(r"//[^\n]*|/\*.*?(?:\*/|\Z)", re.DOTALL)
+_COMMENT = regex(r"//[^\n]*|/\*.*?(?:\*/|\Z)", re.DOTALL)
 #: What stands in a statement and seldom in a sentence.
-_STATEMENT = re.compile(r";[ \t]*(?:$|\*/)|<<|\w\(|\)[ \t]*\{", re.MULTILINE)
-_SWITCH = re.compile(r"[^\n{}]{0,200}\bswitch\s*\([^{};]{0,300}\)\s*\{")
-_DIRECTIVE = re.compile(r"[ \t]*#[ \t]*(if|ifdef|ifndef|endif|define)\b[ \t]*(\w*)")
+_STATEMENT = regex(r";[ \t]*(?:$|\*/)|<<|\w\(|\)[ \t]*\{", re.MULTILINE)
+_SWITCH = regex(r"[^\n{}]{0,200}\bswitch\s*\([^{};]{0,300}\)\s*\{")
+_DIRECTIVE = regex(r"[ \t]*#[ \t]*(if|ifdef|ifndef|endif|define)\b[ \t]*(\w*)")
 
 
 #: The last statement of a function that does not go on behind it: a call of what the standard library declares so.
-_ENDING = re.compile(
+_ENDING = regex(
     r"\s*(?:std\s*::\s*)?(?:rethrow_exception|throw_with_nested|terminate|abort|exit|quick_exit|_Exit|unreachable|longjmp)"
     r"\s*\([^;]{0,300};[\s}]*"
 )
 #: Macros of GoogleTest, Catch2, doctest and Boost.Test around what is run to see what it throws, or how it ends.
-_PROVOKED = re.compile(
+_PROVOKED = regex(
     r"\b(?:(?:EXPECT|ASSERT)_(?:ANY_|NO_)?THROW|(?:EXPECT|ASSERT)_(?:THAT_)?(?:DEATH|EXIT|DEBUG_DEATH)\w*|(?:EXPECT|ASSERT)_THROW_\w+"
     r"|(?:REQUIRE|CHECK)_(?:THROWS|NOTHROW)\w*|BOOST_(?:CHECK|REQUIRE|WARN)_(?:THROW|NO_THROW|EXCEPTION))\s*\("
 )
 _OF_PROVOKED = frozenset({"ignoredReturnValue", "unusedScopedObject", "constStatement", "leakReturnValNotUsed"})
-_LEAKED = re.compile(r": \w*leak\w*", re.IGNORECASE)
-_LEAKS = re.compile(
+_LEAKED = regex(r": \w*leak\w*", re.IGNORECASE)
+_LEAKS = regex(
     r"\b(?:intentional|deliberate|on purpose|never freed|not freed|let it)\w*[^.]{0,80}\bleak|\bleak\w*[^.]{0,80}\b(?:intentional|deliberate|purpose)",
     re.IGNORECASE | re.DOTALL,
 )
 #: A macro as the last statement: which cppcheck does not expand, or expands to what it does not follow.
-_MACRO = re.compile(r"[A-Z][A-Z0-9_]{2,}")
+_MACRO = regex(r"[A-Z][A-Z0-9_]{2,}")
 #: Macros that write a line and go on, unless the name says that they do not.
-_WRITES = re.compile(
+_WRITES = regex(
     r"(?:.*_)?(?:LOG\w*|INFO|WARN(?:ING)?|DEBUG|ERROR|TRACE|PRINT\w*|VERBOSE|NOTICE|COUT|CERR)(?:_\w+)?|(?:ROS|RCLCPP|RCUTILS)_FATAL\w*"
     r"|(?:EXPECT|Q)_\w+"
 )
-_GOES_NOWHERE = re.compile(
-    r".*(?:THROW|RAISE|ABORT|UNREACHABLE|PANIC|EXIT|ASSERT|RETURN|NORETURN|TERMINATE|NOT_?REACHED)"
-)
-_QUOTED = re.compile(r"\"(?:[^\"\\\n]|\\.)*\"|'(?:[^'\\\n]|\\.)'")
+_GOES_NOWHERE = regex(r".*(?:THROW|RAISE|ABORT|UNREACHABLE|PANIC|EXIT|ASSERT|RETURN|NORETURN|TERMINATE|NOT_?REACHED)")
+_QUOTED = regex(r"\"(?:[^\"\\\n]|\\.)*\"|'(?:[^'\\\n]|\\.)'")
 #: ``%g in format string (no. 2) requires 'double' but the argument type is 'number_t'.``: where cppcheck knows the type
 #: behind a name it says so (``{aka unsigned long}``).
-_OF_PRINTF = re.compile(r"invalidPrintfArgType_(?:float|sint|uint|p)")
-_ARGUMENT = re.compile(r"argument type is '(?:const )?(\w+)(?: const)?'")
+_OF_PRINTF = regex(r"invalidPrintfArgType_(?:float|sint|uint|p)")
+_ARGUMENT = regex(r"argument type is '(?:const )?(\w+)(?: const)?'")
 #: Lines of the last statement that are looked at.
 _STATEMENT_LINES = 8
-_PLACED = re.compile(r"\bnew\s*\([^;]{1,300}\)\s*[A-Za-z_:][\w:<>, ]{0,200}\s*[({]")
-_LOOP = re.compile(r"\bfor\s*\(\s*\w+\s*;")
-_BY_NAME = re.compile(r"%=?\s*(?:\(\s*)?[A-Za-z_]")
-_BY_ONE = re.compile(r"%=?\s*(?:\(\s*)?1\b")
+_PLACED = regex(r"\bnew\s*\([^;]{1,300}\)\s*[A-Za-z_:][\w:<>, ]{0,200}\s*[({]")
+_LOOP = regex(r"\bfor\s*\(\s*\w+\s*;")
+_BY_NAME = regex(r"%=?\s*(?:\(\s*)?[A-Za-z_]")
+_BY_ONE = regex(r"%=?\s*(?:\(\s*)?1\b")
 _OF_CONDITIONS = frozenset({"identicalInnerCondition", "duplicateCondition"})
 
 

@@ -6,13 +6,15 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable
 
+from haros_ci.regex import regex
+
 #: A place that leads to a finding: its file, its line from 1, and what cppcheck says of it.
 Step = tuple[str, int, str]
 
 OF_INDICES = frozenset({"negativeContainerIndex", "negativeIndex"})
-_UNSET = re.compile(r"Assignment '(\w{1,100})=-1', assigned value is -1")
-_LOOP = re.compile(r"\b(?:for|while)\s*\(")
-_HIDDEN = re.compile(r"//[^\n]*|\"(?:[^\"\\\n]|\\.){0,1000}\"")
+_UNSET = regex(r"Assignment '(\w{1,100})=-1', assigned value is -1")
+_LOOP = regex(r"\b(?:for|while)\s*\(")
+_HIDDEN = regex(r"//[^\n]*|\"(?:[^\"\\\n]|\\.){0,1000}\"")
 #: The start of a search, as large or as small as the type has it; ``numeric_limits<double>::min()`` is a small positive number.
 _LARGEST = (
     r"(?:std\s*::\s*)?numeric_limits\s*<[^<>;]{1,60}>\s*::\s*(?:max|infinity)\s*\(\s*\)|\b(?:DBL|FLT|LDBL|U?INT|U?LONG|U?LLONG)_MAX\b"
@@ -21,8 +23,8 @@ _LARGEST = (
 _SMALLEST = rf"-\s*(?:{_LARGEST})|(?:std\s*::\s*)?numeric_limits\s*<[^<>;]{{1,60}}>\s*::\s*lowest\s*\(\s*\)|\b(?:INT|LONG|LLONG)_MIN\b"
 #: One side of a comparison, brackets in brackets included.
 _SIDE = r"((?:[^;{}<>=&|()]|\((?:[^;{}<>=&|()]|\([^;{}<>=&|()]{0,100}\)){0,100}\)){1,200}?)"
-_COMPARISON = re.compile(rf"\bif\s*\(\s*{_SIDE}\s*([<>])=?\s*{_SIDE}\s*\)")
-_BLANKS = re.compile(r"\s+")
+_COMPARISON = regex(rf"\bif\s*\(\s*{_SIDE}\s*([<>])=?\s*{_SIDE}\s*\)")
+_BLANKS = regex(r"\s+")
 _LONGEST = 300
 #: How far above its use a bound is set, and how long a search is, in lines.
 _ABOVE, _SEARCH = 10, 40

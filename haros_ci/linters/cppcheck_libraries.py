@@ -15,6 +15,7 @@ from haros_ci.linters.includes import name_of
 from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Store, Workspace
 from haros_ci.own_sources import OF_LINTERS, digest
+from haros_ci.regex import regex
 
 #: Stands beside the libraries of a text that switches Qt's plain words off (doc.qt.io, "Signals & Slots", "Using Qt
 #: with 3rd Party Signals
@@ -24,28 +25,28 @@ NO_KEYWORDS = "!qt"
 #: By library, as cppcheck calls it (those of Catch2 and GoogleTest are ours, in ros_macros.py): its headers; and
 #: macros that mean nothing else, for what comes with headers of other packages.
 _HEADERS = {
-    "boost": re.compile(r"boost/"),
-    "catch2": re.compile(r"(?:.*/)?catch(?:2/.*|_test_macros|_all)?(?:\.hpp)?$|catch2/"),
-    "googletest": re.compile(r"(?:gtest|gmock)/|(?:gtest|gmock)\b"),
-    "python": re.compile(r"Python\.h$|boost/python|pybind11/"),
+    "boost": regex(r"boost/"),
+    "catch2": regex(r"(?:.*/)?catch(?:2/.*|_test_macros|_all)?(?:\.hpp)?$|catch2/"),
+    "googletest": regex(r"(?:gtest|gmock)/|(?:gtest|gmock)\b"),
+    "python": regex(r"Python\.h$|boost/python|pybind11/"),
     # Qt's own are named QWidget, QtWidgets/QWidget or qwidget.h; those of RViz and rqt bring them along.
-    "qt": re.compile(
+    "qt": regex(
         r"Q[A-Z]\w*$|Qt\w*(?:/|$)|(?:.*/)?ui_\w+\.h|rviz(?:_common|_rendering|_default_plugins)?/|rqt_\w+/|qwt[/_]"
         r"|q(?:action|application|color|dialog|event|image|label|layout|mainwindow|object|painter|pixmap|pushbutton|string|thread"
         r"|timer|variant|widget)\.h$"
     ),
 }
 _MACROS = {
-    "boost": re.compile(r"\bBOOST_[A-Z_]+\b"),
-    "catch2": re.compile(r"^(?:SCENARIO|TEST_CASE)(?:_METHOD)?[ \t]*\([^)\n]*\"", re.MULTILINE),
-    "googletest": re.compile(r"^(?:TYPED_)?TEST(?:_[FP])?[ \t]*\(", re.MULTILINE),
-    "python": re.compile(r"\bPyObject\b"),
-    "qt": re.compile(
+    "boost": regex(r"\bBOOST_[A-Z_]+\b"),
+    "catch2": regex(r"^(?:SCENARIO|TEST_CASE)(?:_METHOD)?[ \t]*\([^)\n]*\"", re.MULTILINE),
+    "googletest": regex(r"^(?:TYPED_)?TEST(?:_[FP])?[ \t]*\(", re.MULTILINE),
+    "python": regex(r"\bPyObject\b"),
+    "qt": regex(
         r"\bQ_OBJECT\b|\b(?:public|protected|private)[ \t]+(?:slots|Q_SLOTS)[ \t]*:|^[ \t]*(?:signals|Q_SIGNALS)[ \t]*:",
         re.MULTILINE,
     ),
 }
-_SWITCHED_OFF = re.compile(r"QT_NO_KEYWORDS\b")
+_SWITCHED_OFF = regex(r"QT_NO_KEYWORDS\b")
 
 
 def by_file(

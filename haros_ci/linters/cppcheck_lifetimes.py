@@ -6,15 +6,16 @@ from __future__ import annotations
 import re
 
 from haros_ci.linters.cppcheck_returns import copies_what_it_returns
+from haros_ci.regex import regex
 
 OF_LIFETIMES = frozenset({"danglingLifetime", "returnDanglingLifetime", "selfAssignment"})
 #: ``Non-local variable 'handle' will use pointer to local variable 'name'.``
-_KEPT = re.compile(r"[Vv]ariable '([A-Za-z_]\w*)' will use (?:pointer|object) to local variable '([A-Za-z_]\w*)'")
+_KEPT = regex(r"[Vv]ariable '([A-Za-z_]\w*)' will use (?:pointer|object) to local variable '([A-Za-z_]\w*)'")
 #: ``Non-local variable 'waiting' will use object that points to local variable 'task'.``
-_POINTING = re.compile(r"will use object that points to local variable '([A-Za-z_]\w*)'")
+_POINTING = regex(r"will use object that points to local variable '([A-Za-z_]\w*)'")
 #: ``Returning object that points to local variable 'view' that will be invalid when returning.``
-_RETURNED = re.compile(r"points to local variable '([A-Za-z_]\w*)'")
-_ITSELF = re.compile(r"assignment of '([^']{1,80})' to itself")
+_RETURNED = regex(r"points to local variable '([A-Za-z_]\w*)'")
+_ITSELF = regex(r"assignment of '([^']{1,80})' to itself")
 #: Functions of the standard library that give back what they are given, or what points to it.
 _PASSING = frozenset(
     "addressof as_bytes as_const begin bind c_str cbegin cend crbegin data end forward get make_pair make_tuple max min move rbegin ref cref span "

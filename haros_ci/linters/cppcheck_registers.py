@@ -5,15 +5,17 @@ from __future__ import annotations
 
 import re
 
+from haros_ci.regex import regex
+
 OF_FIRMWARE = frozenset({"constStatement", "comparePointers", "subtractPointers"})
 #: ``i2c->SR2;``: members that CMSIS and makers' headers declare volatile; to read them changes what the device does.
-_REGISTER = re.compile(
+_REGISTER = regex(
     r"[ \t]*(?:\([ \t]*void[ \t]*\)[ \t]*)?\(?[A-Za-z_]\w{0,80}\)?(?:\[[^\]\n]{0,80}\])?(?:(?:->|\.)\w{1,80}){0,4}->[A-Z][A-Z0-9_]{0,80}"
     r"(?:\[[^\]\n]{0,80}\])?(?:\.\w{1,80}){0,2}[ \t]*;"
 )
-_NAME = re.compile(r"(?<![\w.>])[A-Za-z_]\w{0,80}")
+_NAME = regex(r"(?<![\w.>])[A-Za-z_]\w{0,80}")
 _LONGEST = 1000
-_EXTERN = re.compile(r"^[ \t]*extern\b[^;(){}]{1,400};", re.MULTILINE)
+_EXTERN = regex(r"^[ \t]*extern\b[^;(){}]{1,400};", re.MULTILINE)
 #: A declaration of the file's own, which hides a symbol: ``int one[2]``, ``char * one =``.
 _OWN = r"\b(?!return\b|else\b|case\b|goto\b|new\b|delete\b|sizeof\b)[A-Za-z_]\w*[ \t*&]+{name}[ \t]*[\[=;,({{)]"
 #: Words of a declaration that are no names of symbols.

@@ -5,23 +5,24 @@ from __future__ import annotations
 
 import re
 
+from haros_ci.regex import regex
 from haros_ci.results.comments import C_SKIPPED
 
 #: Types that copy what a pointer points to when they are made of it: texts and paths of the standard library ([string.cons], [fs.path.construct]), of Boost and Qt.
 _TEXT = r"(?:std\s*::\s*(?:pmr\s*::\s*)?(?:w|u8|u16|u32)?string|(?:std\s*::\s*(?:experimental\s*::\s*)?|boost\s*::\s*)filesystem\s*::\s*path|QString|QByteArray)"
-_COPIES = re.compile(rf"(?:const\s+)?(?:::\s*)?(?:{_TEXT}|std\s*::\s*optional\s*<\s*{_TEXT}\s*>)(?:\s+const)?")
-_SHORT = re.compile(r"(?:const\s+)?w?string(?:\s+const)?")
-_OF_STD = re.compile(r"^[ \t]*using[ \t]+(?:namespace[ \t]+std|std[ \t]*::[ \t]*w?string)[ \t]*;", re.MULTILINE)
-_TRAILING = re.compile(
+_COPIES = regex(rf"(?:const\s+)?(?:::\s*)?(?:{_TEXT}|std\s*::\s*optional\s*<\s*{_TEXT}\s*>)(?:\s+const)?")
+_SHORT = regex(r"(?:const\s+)?w?string(?:\s+const)?")
+_OF_STD = regex(r"^[ \t]*using[ \t]+(?:namespace[ \t]+std|std[ \t]*::[ \t]*w?string)[ \t]*;", re.MULTILINE)
+_TRAILING = regex(
     r"\)\s*(?:(?:mutable|constexpr|consteval|const|noexcept|static)\s*)*->\s*([\w\s:<>*&,\[\]()]{1,200})\Z"
 )
-_HIDDEN = re.compile(rf"""["'/](?:{C_SKIPPED})""")
+_HIDDEN = regex(rf"""["'/](?:{C_SKIPPED})""")
 #: What begins a block that is no function: the head of a statement, an ``else``, a label, or nothing.
-_STATEMENT = re.compile(
+_STATEMENT = regex(
     r"\A\s*\Z|\b(?:else|do|try)\s*\Z|\A\s*(?:else\s+)?(?:if|for|while|switch|catch)\b.*\)\s*\Z|\A\s*(?:case\b.*|default\s*|\w+\s*):\s*\Z",
     re.DOTALL,
 )
-_BRANCHES = re.compile(r"^[ \t]*#[ \t]*(?:else|elif)", re.MULTILINE)
+_BRANCHES = regex(r"^[ \t]*#[ \t]*(?:else|elif)", re.MULTILINE)
 #: Characters before the place that are looked at.
 _LONGEST = 20_000
 #: Blocks around the place that are looked at.

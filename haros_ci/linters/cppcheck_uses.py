@@ -5,22 +5,23 @@ from __future__ import annotations
 
 import re
 
+from haros_ci.regex import regex
 from haros_ci.results.scope import scopes
 
-_HIDDEN = re.compile(
+_HIDDEN = regex(
     r"//[^\n]*|/\*.*?(?:\*/|\Z)|\"(?:[^\"\\\n]|\\.){0,1000}\"|'(?:[^'\\\n]|\\.){1,8}'|\bR\"\(.{0,4000}?\)\"", re.DOTALL
 )
-_LOOP = re.compile(r"\bwhile\s*\([^;{}]{0,200}?\bfeof\s*\(\s*([\w.>-]{1,80}?)\s*\)[^;{}]{0,80}\)\s*\{")
+_LOOP = regex(r"\bwhile\s*\([^;{}]{0,200}?\bfeof\s*\(\s*([\w.>-]{1,80}?)\s*\)[^;{}]{0,80}\)\s*\{")
 _READ = r"(?:std\s*::\s*)?(?:w?fgets|fgetws|v?fw?scanf|fread|fgetw?c|getw?c|getline|getdelim)\s*\("
 #: A read inside the condition of an ``if``, in a comparison, or behind ``!``.
-_TESTED = re.compile(rf"\bif\s*\((?:[^;{{}}]{{0,200}}?[(!=&|\s])?{_READ}")
+_TESTED = regex(rf"\bif\s*\((?:[^;{{}}]{{0,200}}?[(!=&|\s])?{_READ}")
 #: ``n = fread(…);``, and ``char * line = fgets(…);``.
-_KEPT = re.compile(rf"\b([A-Za-z_]\w*)\s*=\s*(?:\([\w\s*]{{1,40}}\)\s*)?{_READ}")
+_KEPT = regex(rf"\b([A-Za-z_]\w*)\s*=\s*(?:\([\w\s*]{{1,40}}\)\s*)?{_READ}")
 #: Characters of a loop, and lines above a use, that are looked at.
 _LONGEST = 8000
 _NEAR = 60
 #: ``reply["map"]["file"] = (name + ".yaml").c_str();``
-_ELEMENT = re.compile(
+_ELEMENT = regex(
     r"^[ \t]*(?:this[ \t]*->[ \t]*)?([A-Za-z_]\w*)[ \t]*(?:\[[^\]\n]{1,100}\][ \t]*){1,6}=(?!=)[^;\n]{1,300}\.[ \t]*(?:c_str|data)\(\)[ \t]*;"
 )
 #: Classes that hold values of any kind, and copy the text that they are given.
@@ -30,7 +31,7 @@ _HOLDERS = (
     r"\s*(?:&\s*)?\b{name}\b"
 )
 #: ``Memory is allocated but not initialized: cells``
-_ALLOCATED = re.compile(r"not initialized: ([A-Za-z_]\w*)")
+_ALLOCATED = regex(r"not initialized: ([A-Za-z_]\w*)")
 
 
 def is_read_checked(line: int, text: str) -> bool:
@@ -50,14 +51,14 @@ def is_read_checked(line: int, text: str) -> bool:
 
 
 #: What an assignment assigns; what can be a truth value in it; and a variable that is copied to where a pointer points.
-_ASSIGNED = re.compile(r"(?<![=!<>+*/|&^%-])=(?![=])([^;{}]*);")
-_TRUTH = re.compile(r"\b(?:true|false|TRUE|FALSE|not|and|or|bool)\b|[!<>]|==|&&|\|\||\(")
-_COPIED = re.compile(r"\s*\*\s?[A-Za-z_]\w*\s?=\s?([A-Za-z_]\w*)\s?;")
+_ASSIGNED = regex(r"(?<![=!<>+*/|&^%-])=(?![=])([^;{}]*);")
+_TRUTH = regex(r"\b(?:true|false|TRUE|FALSE|not|and|or|bool)\b|[!<>]|==|&&|\|\||\(")
+_COPIED = regex(r"\s*\*\s?[A-Za-z_]\w*\s?=\s?([A-Za-z_]\w*)\s?;")
 #: Lines above the use of a variable in which its declaration is looked for.
 _FAR = 60
 #: A reference that is made: its name, and of what.
-_MADE_ANEW = re.compile(r"\b\w*(?:make|create|clone|unique|release|new)\w*\s?[<(]", re.IGNORECASE)
-_REFERENCE = re.compile(r"&\s?([A-Za-z_]\w*)\s?=\s?([^;=][^;]*);")
+_MADE_ANEW = regex(r"\b\w*(?:make|create|clone|unique|release|new)\w*\s?[<(]", re.IGNORECASE)
+_REFERENCE = regex(r"&\s?([A-Za-z_]\w*)\s?=\s?([^;=][^;]*);")
 
 
 def has_no_truth_value(line: str) -> bool:
@@ -125,20 +126,20 @@ def _is_pointed_at(value: str) -> bool:
 
 
 #: What a comment says of a declaration that is there to be compiled, or for what its constructor does.
-_MEANT = re.compile(
+_MEANT = regex(
     r"\b(?:should|must|shall|has to|needs to|does|just|only)(?: (?:not|still|also|just|always))? compile\b|\bcompiles\b"
     r"|\bcompil\w{1,6} (?:check|test)\b|\b(?:intentional|deliberate)(?:ly)?\b|\bon purpose\b",
     re.IGNORECASE,
 )
-_REMARK = re.compile(r"//([^\n]*)|/\*(.{0,2000}?)\*/", re.DOTALL)
-_TEST = re.compile(
+_REMARK = regex(r"//([^\n]*)|/\*(.{0,2000}?)\*/", re.DOTALL)
+_TEST = regex(
     r"\b(?:TYPED_)?(?:TEST(?:_F|_P|_CASE|_METHOD)?|BOOST_AUTO_TEST_CASE|BOOST_FIXTURE_TEST_CASE)\s*\([^{};]{0,300}\)\s*\{"
 )
 #: Template arguments without others inside, and so deep they stand in one another.
-_TEMPLATE = re.compile(r" ?<[^<>;{}]{0,200}>")
+_TEMPLATE = regex(r" ?<[^<>;{}]{0,200}>")
 _NESTED = 4
 #: ``Type name;``, ``Type name(1, 2);``, ``Type name{};``, and ``using Type = Other;``, with single spaces and no template arguments.
-_DECLARED = re.compile(
+_DECLARED = regex(
     r" ?(?!(?:return|delete|throw|goto)\b)(?:using [\w:<>, =]{1,200}|(?:[\w:]{1,200}[ *&]{1,4}){1,4}\w{1,200}"
     r" ?(?:\([^;{}]{0,200}\)|\{[^;{}]{0,200}\})?) ?;"
 )

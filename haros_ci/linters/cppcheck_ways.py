@@ -8,19 +8,18 @@ from collections.abc import Callable
 
 from haros_ci.linters.cppcheck_conditions import has_large_constant
 from haros_ci.linters.cppcheck_uses import is_read_checked
+from haros_ci.regex import regex
 
-_THROW = re.compile(r"\bthrow\b")
+_THROW = regex(r"\bthrow\b")
 #: A macro with a ``throw`` in it, over several lines, too.
-_THROWING = re.compile(
+_THROWING = regex(
     r"^[ \t]*#[ \t]*define[ \t]+([A-Za-z_]\w{0,100})(?:[^\n\\]|\\\r?\n|\\.){0,2000}?\bthrow\b", re.MULTILINE
 )
 #: ``Resource leak: file`` and ``Comparing expression of type 'unsigned char' against value 255.``
-_RESOURCE = re.compile(r": (\w+)\.?$")
-_VALUE = re.compile(r"against value (-?\d+)")
+_RESOURCE = regex(r": (\w+)\.?$")
+_VALUE = regex(r"against value (-?\d+)")
 #: The constant of a comparison by a name, as macros and enumerators are written.
-_NAMED = re.compile(
-    r"[<>=!]=?\s*(?:\(\s*)?(?:[a-z]\w*::)*[A-Z][A-Z0-9_]{2,}\b|\b[A-Z][A-Z0-9_]{2,}\s*(?:\)\s*)?[<>=!]=?"
-)
+_NAMED = regex(r"[<>=!]=?\s*(?:\(\s*)?(?:[a-z]\w*::)*[A-Z][A-Z0-9_]{2,}\b|\b[A-Z][A-Z0-9_]{2,}\s*(?:\)\s*)?[<>=!]=?")
 _NOTHING = r"(?:NULL|nullptr|0|-\s*1|INVALID_\w+)"
 #: That a handle is not open: ``!file``, ``file == NULL``, ``(file = fopen(…)) == NULL``, ``NULL == file``.
 _FAILED = (
@@ -30,13 +29,13 @@ _FAILED = (
     rf"|(?<!\w){_NOTHING}\s*(?:==|>=|>)\s*{{name}}\b"
 )
 #: What turns a condition round: ``(file == nullptr) == false``, ``!(!file)``.
-_TWISTED = re.compile(r"\b(?:true|false|not)\b|![\s(]*!|!\s*\([^()]*[=!<>]=|[=!<>]=[^()]*\)\s*[=!]=|\^|\?")
-_HIDDEN = re.compile(r"//[^\n]*|/\*.*?(?:\*/|\Z)|\"(?:[^\"\\\n]|\\.){0,1000}\"|'(?:[^'\\\n]|\\.){1,8}'", re.DOTALL)
-_IF = re.compile(r"\bif\s*\(")
-_ITSELF = re.compile(r"of '([^']{1,200})' to itself")
+_TWISTED = regex(r"\b(?:true|false|not)\b|![\s(]*!|!\s*\([^()]*[=!<>]=|[=!<>]=[^()]*\)\s*[=!]=|\^|\?")
+_HIDDEN = regex(r"//[^\n]*|/\*.*?(?:\*/|\Z)|\"(?:[^\"\\\n]|\\.){0,1000}\"|'(?:[^'\\\n]|\\.){1,8}'", re.DOTALL)
+_IF = regex(r"\bif\s*\(")
+_ITSELF = regex(r"of '([^']{1,200})' to itself")
 #: An assignment to itself as one of the cases of a switch.
-_CASE = re.compile(r"\s*(?:case\b[^;:]{0,80}|default\s*):")
-_ENDS_CASE = re.compile(r"[;{]\s*break\s*;|^\s*break\s*;", re.MULTILINE)
+_CASE = regex(r"\s*(?:case\b[^;:]{0,80}|default\s*):")
+_ENDS_CASE = regex(r"[;{]\s*break\s*;|^\s*break\s*;", re.MULTILINE)
 #: Characters that are looked at before a place.
 _LONGEST = 4_000
 

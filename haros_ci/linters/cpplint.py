@@ -14,6 +14,7 @@ from haros_ci.model.digits import whole_number
 from haros_ci.model.location import Location
 from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Store, Workspace
+from haros_ci.regex import regex
 from haros_ci.results.comments import comments
 from haros_ci.results.result import Result
 from haros_ci.results.rule import Level
@@ -35,14 +36,14 @@ LOST = "\ufffd"
 #: Suffixes of files that exist to be included: templates outside of their header, tables, CUDA.
 _PARTS = (".cu", ".cuh", ".ipp", ".tpp", ".txx", ".ixx", ".inl", ".impl", ".inc", ".def", ".icc")
 #: The address of a member of what a cast pointer points to, and that of a cast.
-_MEMBER = re.compile(r"&\s?\(\s?\([^()]{1,200}\*\s?\)[^()]{1,200}(?:\([^()]{0,200}\))?\s?\)\s?(?:->|\[)")
+_MEMBER = regex(r"&\s?\(\s?\([^()]{1,200}\*\s?\)[^()]{1,200}(?:\([^()]{0,200}\))?\s?\)\s?(?:->|\[)")
 #: How far a member lies in a class, as macros without offsetof() find it: ``&(((T *)0)->member)``, ``&((T *)(1))->member``.
-_OFFSET = re.compile(
+_OFFSET = regex(
     r"&\s?(?:\(\s?){1,4}[^()]{1,200}\*\s?\)\s?\(?\s?(?:0x[\da-fA-F]+|\d+|NULL|nullptr)[uUlL]{0,3}\s?\)[\s)]{0,8}->"
 )
-_CAST = re.compile(r"&\s?(?:\([\w:<>, ]{1,200}\)\s?\w|(?:static|dynamic|reinterpret|down)_cast\b)")
-_ADDRESS = re.compile(r"&\s?\(")
-_LINE = re.compile(r"(\d+|None):  (.*)  \[([\w/+]+)\] \[(\d)\]$", re.DOTALL)
+_CAST = regex(r"&\s?(?:\([\w:<>, ]{1,200}\)\s?\w|(?:static|dynamic|reinterpret|down)_cast\b)")
+_ADDRESS = regex(r"&\s?\(")
+_LINE = regex(r"(\d+|None):  (.*)  \[([\w/+]+)\] \[(\d)\]$", re.DOTALL)
 
 
 def locate(options: LintOptions) -> Program | None:

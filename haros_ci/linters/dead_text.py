@@ -10,31 +10,32 @@ import re
 from bisect import bisect_right
 from collections.abc import Iterator
 
+from haros_ci.regex import regex
 from haros_ci.results.comments import BEGINS_CHARACTER, SPLICE
 
 #: Nothing else makes text dead that is looked at here.
-_MAY_HIDE = re.compile(r"R\"|/\*|^[ \t]*#[ \t]*if\b", re.M)
+_MAY_HIDE = regex(r"R\"|/\*|^[ \t]*#[ \t]*if\b", re.M)
 #: Comments, the beginning of a raw text, and texts and characters of one line ([lex.string]).
-_LEXEME = re.compile(
+_LEXEME = regex(
     r"//[^\n]*|/\*|\bu?8?[uUL]?R\"([^()\\\s\"]{0,16})\(|\"(?:[^\"\\\n]|\\.)*\""
     rf"|'{BEGINS_CHARACTER}(?:[^'\\\n]|\\.){{1,12}}'"
 )
-_CONDITIONAL = re.compile(r"^[ \t]*#[ \t]*(if|ifdef|ifndef|elif|elifdef|elifndef|else|endif)\b([^\n]*)", re.M)
-_FALSE = re.compile(r"[\s(]*(?:0+[uUlL]*|false|![\s(]*(?:1|true))[\s)]*(?:&&.*)?")
-_TRUE = re.compile(r"[\s(]*(?:1[uUlL]*|true|![\s(]*(?:0|false))[\s)]*(?:\|\|.*)?")
+_CONDITIONAL = regex(r"^[ \t]*#[ \t]*(if|ifdef|ifndef|elif|elifdef|elifndef|else|endif)\b([^\n]*)", re.M)
+_FALSE = regex(r"[\s(]*(?:0+[uUlL]*|false|![\s(]*(?:1|true))[\s)]*(?:&&.*)?")
+_TRUE = regex(r"[\s(]*(?:1[uUlL]*|true|![\s(]*(?:0|false))[\s)]*(?:\|\|.*)?")
 #: Raw texts without an end that are looked for; the text behind more of them is taken as it stands.
 _MOST_OPEN = 16
 #: Lines that go on in the next one ([lex.phases] 2), and the lexemes above where such a splice may stand within them.
 _SPLICE = SPLICE.pattern
 _GAP = rf"(?:{_SPLICE}){{0,20}}"
-_MAY_BE_RAW = re.compile(rf'R{_GAP}"')
-_UNSPLICED = re.compile(
+_MAY_BE_RAW = regex(rf'R{_GAP}"')
+_UNSPLICED = regex(
     rf"/{_GAP}/(?:{_SPLICE}|[^\n])*|/{_GAP}\*"
     rf"|(?<!\w)(?:u{_GAP}8|[uUL])?{_GAP}R{_GAP}\"([^()\\\s\"]{{0,16}})\("
     rf'|"(?:{_SPLICE}|\\.|[^"\\\n])*"?'
     rf"|'{BEGINS_CHARACTER}(?:{_SPLICE}|\\.|[^'\\\n]){{1,12}}'"
 )
-_ENDS_COMMENT = re.compile(rf"\*{_GAP}/")
+_ENDS_COMMENT = regex(rf"\*{_GAP}/")
 
 
 def dead(text: str) -> tuple[tuple[int, int], ...]:

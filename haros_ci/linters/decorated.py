@@ -3,10 +3,9 @@
 
 from __future__ import annotations
 
-import re
-
 from haros_ci.linters.pylint_statements import called_at
 from haros_ci.model.workspace import Workspace
+from haros_ci.regex import regex
 from haros_ci.results.code_alone import code_alone
 from haros_ci.results.result import Result
 
@@ -16,8 +15,8 @@ TRANSPARENT = frozenset(
     " asynccontextmanager total_ordering deprecated dataclass s attrs define frozen mutable unique runtime_checkable add_metaclass"
     " python_2_unicode_compatible".split()
 )
-_DECORATED = re.compile(r"^[ \t]*@[ \t]*([\w.]+)")
-_DEFINITION = re.compile(r"^[ \t]*(?:(?:async[ \t]+)?def|class)[ \t]+(\w+)")
+_DECORATED = regex(r"^[ \t]*@[ \t]*([\w.]+)")
+_DEFINITION = regex(r"^[ \t]*(?:(?:async[ \t]+)?def|class)[ \t]+(\w+)")
 
 
 def decorators(text: str, name: str) -> list[list[str]]:

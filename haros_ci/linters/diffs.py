@@ -3,10 +3,11 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Mapping
 
-_HUNK = re.compile(r"@@ -(\d+)")
+from haros_ci.regex import regex
+
+_HUNK = regex(r"@@ -(\d+)")
 
 
 def first_changes(diff: str, names: Mapping[str, str]) -> Iterator[tuple[str, int]]:

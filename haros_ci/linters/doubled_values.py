@@ -10,13 +10,14 @@ from collections.abc import Iterable
 from haros_ci.linters.linter import Unit
 from haros_ci.linters.pylint_idioms import nodes
 from haros_ci.model.workspace import Workspace
+from haros_ci.regex import regex
 
 #: Items of a list, or characters of a text, above which no file is looked at: pylint takes a second for so many.
 MOST_ITEMS = 1_000_000
 TOO_LARGE = f"it makes a value of more than {MOST_ITEMS:,} items of a few lines"
 #: An assignment to a name; it may double where its right side has one name twice. Fewer of them make nothing large.
-_ASSIGNED = re.compile(r"^[ \t]*([A-Za-z_]\w{0,80})[ \t]*(?:\+=|=(?!=))([^\n]{1,2000})", re.M)
-_WORD = re.compile(r"\b[A-Za-z_]\w*")
+_ASSIGNED = regex(r"^[ \t]*([A-Za-z_]\w{0,80})[ \t]*(?:\+=|=(?!=))([^\n]{1,2000})", re.M)
+_WORD = regex(r"\b[A-Za-z_]\w*")
 _FEW = 10
 
 

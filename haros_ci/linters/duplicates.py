@@ -8,13 +8,14 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 
 from haros_ci.linters.catalogue.same_defect import SAME_DEFECT
+from haros_ci.regex import regex
 from haros_ci.results.code_alone import code_alone
 from haros_ci.results.result import Result
 
 #: pylint cannot know these names when a wildcard import brings them from a package that is not installed, as messages
 #: and dynamic_reconfigure seldom are where no ROS is (``from std_msgs.msg import *``).
 _UNFOUNDED = "pylint:undefined-variable"
-_WILDCARD = re.compile(r"^[ \t]*from[ \t]+[\w.]+[ \t]+import[ \t]*(?:\([ \t]*)?\*", re.MULTILINE)
+_WILDCARD = regex(r"^[ \t]*from[ \t]+[\w.]+[ \t]+import[ \t]*(?:\([ \t]*)?\*", re.MULTILINE)
 
 #: cpplint counts a function's lines and reports them at its closing brace, the others at its head.
 _AT_THE_END = "cpplint:readability/fn_size"
@@ -23,7 +24,7 @@ _AT_THE_END = "cpplint:readability/fn_size"
 _DEFAULT, _OF_FUNCTION = "ruff:B006", "pylint:dangerous-default-value"
 #: pylint reports a key that a dict has twice at the brace that begins the dict; ruff and flake8 where it stands again.
 _KEY, _AGAIN = "pylint:duplicate-key", frozenset(("ruff:F601", "flake8:F601"))
-_QUOTED = re.compile(r"(['\"])([^'\"]*)\1")
+_QUOTED = regex(r"(['\"])([^'\"]*)\1")
 #: The head of a function is no longer than so many lines.
 _HEAD = 30
 

@@ -3,11 +3,11 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 
 from haros_ci.linters.macros_elsewhere import DEFINED
 from haros_ci.model.workspace import Workspace
+from haros_ci.regex import regex
 from haros_ci.results.code_alone import code_alone
 from haros_ci.results.result import Notification
 from haros_ci.results.rule import Level
@@ -15,7 +15,7 @@ from haros_ci.results.rule import Level
 #: Macros that are named; the rest is counted.
 MOST = 10
 #: What makes them, of rclcpp and roscpp.
-_MAKES = re.compile(
+_MAKES = regex(
     r"\b(create_(?:publisher|subscription|service|client|wall_timer|timer)|advertise(?:Service)?|subscribe|serviceClient|createTimer|createWallTimer)\b"
 )
 

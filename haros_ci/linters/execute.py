@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import os
 import re
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 
 from haros_ci.linters import footing
@@ -15,6 +15,7 @@ from haros_ci.linters.process import Processes, Stalled, TimedOut, Unstartable
 from haros_ci.linters.rows import MOST, Answer
 from haros_ci.linters.sandbox import Confinement
 from haros_ci.model.workspace import Workspace
+from haros_ci.records import dataclass
 from haros_ci.results.result import Result
 
 #: Processes that may follow one failed batch in the search for the file that spoils it.

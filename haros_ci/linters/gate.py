@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import mmap
 import os
-import re
 import sys
 from collections.abc import Iterable, Iterator
 from functools import cached_property, lru_cache
@@ -18,14 +17,15 @@ from pathlib import Path
 
 from haros_ci.linters.linter import Linter, Program, Unit
 from haros_ci.model.workspace import Workspace
+from haros_ci.regex import regex
 
 CUT = "…"
 #: Where code is quoted, as tools do it; an apostrophe within a word is none.
-_QUOTED = re.compile(r"(?<!\w)'[^'\n]*'(?!\w)|\"[^\"\n]*\"|`[^`\n]*`|‘[^‘’\n]*’")
-_WORD = re.compile(r"\w{3,}")
+_QUOTED = regex(r"(?<!\w)'[^'\n]*'(?!\w)|\"[^\"\n]*\"|`[^`\n]*`|‘[^‘’\n]*’")
+_WORD = regex(r"\w{3,}")
 #: A word of a sentence: small letters, perhaps with a capital at the beginning, or a short abbreviation or number.
-_PLAIN = re.compile(r"[A-Z]?[a-z]{1,23}|[A-Z]{1,5}s?|\d{1,5}")
-_SHORT_NUMBER = re.compile(r"\d{1,5}")
+_PLAIN = regex(r"[A-Z]?[a-z]{1,23}|[A-Z]{1,5}s?|\d{1,5}")
+_SHORT_NUMBER = regex(r"\d{1,5}")
 #: Further modules whose messages a Python tool hands on.
 _COMPANIONS = {
     "pylint": ("astroid",),

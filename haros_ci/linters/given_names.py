@@ -6,10 +6,11 @@ from __future__ import annotations
 import ast
 import re
 from collections.abc import Callable
-from dataclasses import dataclass
 
 from haros_ci.linters.pylint_idioms import nodes
 from haros_ci.linters.python_bindings import is_bound
+from haros_ci.records import dataclass
+from haros_ci.regex import regex
 
 #: What SCons makes global in its scripts (its manual: "SConscript Functions", "Builders", "Command-Line Construction Variables", "Action Objects").
 _OF_SCONS = frozenset(
@@ -33,35 +34,33 @@ class Given:
     file: re.Pattern[str]
     names: frozenset[str]
     source: str
-    mark: re.Pattern[str] = re.compile("")
+    mark: re.Pattern[str] = regex("")
 
 
 GIVEN = (
     Given(
-        re.compile(r"\.?cmake-format\.py"),
+        regex(r"\.?cmake-format\.py"),
         frozenset({"section"}),
         "cmakelang, Configuration: python files use `with section(…)`",
     ),
     Given(
-        re.compile(r"conf\.py"),
+        regex(r"conf\.py"),
         frozenset({"tags"}),
         "Sphinx, Configuration: a special object named tags is available in the config file",
-        re.compile(
-            r"^(?:extensions|html_theme|master_doc|root_doc|source_suffix|templates_path)[ \t]*=(?!=)", re.MULTILINE
-        ),
+        regex(r"^(?:extensions|html_theme|master_doc|root_doc|source_suffix|templates_path)[ \t]*=(?!=)", re.MULTILINE),
     ),
     Given(
-        re.compile(r"(?:ipython(?:_kernel)?|jupyter(?:hub|_\w+)?|nbgrader|ipcluster|ipcontroller|ipengine)_config\.py"),
+        regex(r"(?:ipython(?:_kernel)?|jupyter(?:hub|_\w+)?|nbgrader|ipcluster|ipcontroller|ipengine)_config\.py"),
         frozenset({"c", "get_config", "load_subconfig"}),
         "traitlets, Configuration: Python configuration files begin with c = get_config(), and load others by load_subconfig()",
     ),
     Given(
-        re.compile(r".+-gdb\.py"),
+        regex(r".+-gdb\.py"),
         frozenset({"gdb"}),
         "GDB, Basic Python: GDB imports the gdb module for all scripts that it evaluates; objfile-gdb.py is loaded by it",
     ),
     Given(
-        re.compile(r"[Ss][Cc]onstruct(?:\.py)?|SConscript(?:\.py)?"),
+        regex(r"[Ss][Cc]onstruct(?:\.py)?|SConscript(?:\.py)?"),
         _OF_SCONS,
         "SCons, manual: SConstruct.py is one of the names that it looks for; its functions are global there",
     ),

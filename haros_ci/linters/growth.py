@@ -10,11 +10,12 @@ from __future__ import annotations
 import ast
 import re
 from collections.abc import Collection, Iterable, Iterator, Mapping
-from dataclasses import dataclass
 from itertools import islice
 
 from haros_ci.linters.linter import Unit
 from haros_ci.model.workspace import Workspace
+from haros_ci.records import dataclass
+from haros_ci.regex import regex
 from haros_ci.results.comments import SPLICE
 
 #: Ways through bases above which no class is looked at: pylint takes two seconds for so many, and the square for twice.
@@ -34,16 +35,16 @@ _LONGEST, _DEEPEST = 20_000, 60
 MANY_WAYS = f"its classes have more than {MOST_WAYS:,} ways up through their bases"
 LARGE_EXPANSION = f"its macros expand to more than {MOST_TOKENS:,} tokens"
 
-_CLASS = re.compile(r"\b(?:class|struct)\s+([^;{}()=]{1,300}?)(?<!:):(?!:)([^;{}]{1,1000})\{")
-_ARGUMENTS = re.compile(r"<[^<>]*>")
-_WORD = re.compile(r"[A-Za-z_]\w*")
-_DEFINE = re.compile(
+_CLASS = regex(r"\b(?:class|struct)\s+([^;{}()=]{1,300}?)(?<!:):(?!:)([^;{}]{1,1000})\{")
+_ARGUMENTS = regex(r"<[^<>]*>")
+_WORD = regex(r"[A-Za-z_]\w*")
+_DEFINE = regex(
     r"^[ \t]*(?:#|%:)(?:[ \t]|/\*[^*\n]{0,80}\*/)*define[ \t]+([A-Za-z_]\w*)(\([^()\n]*\))?(.*)$", re.MULTILINE
 )
-_TOKEN = re.compile(r'"(?:[^"\\\n]|\\.)*"|[A-Za-z_]\w*|\S')
+_TOKEN = regex(r'"(?:[^"\\\n]|\\.)*"|[A-Za-z_]\w*|\S')
 
 #: What a file has where its classes can have many ways: several bases in one line, or classes that a call makes.
-_SEVERAL = re.compile(r"^[ \t]*class\b[^\n]*,|\btype[ \t]*\(", re.MULTILINE)
+_SEVERAL = regex(r"^[ \t]*class\b[^\n]*,|\btype[ \t]*\(", re.MULTILINE)
 #: So often, with two bases each, in less than MOST_WAYS ways.
 _FEW = 6
 

@@ -10,9 +10,10 @@ from posixpath import basename, dirname, join
 
 from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Workspace
+from haros_ci.regex import regex
 
-_IMPORT = re.compile(r"^[ \t]*(?:from[ \t]+([\w.]+)[ \t]+import\b([^#\n;]*)|import[ \t]+([^#\n;]+))", re.MULTILINE)
-_WORD = re.compile(r"\w+")
+_IMPORT = regex(r"^[ \t]*(?:from[ \t]+([\w.]+)[ \t]+import\b([^#\n;]*)|import[ \t]+([^#\n;]+))", re.MULTILINE)
+_WORD = regex(r"\w+")
 _INIT = "__init__.py"
 
 #: The files of a package by the last word of their modules' names.

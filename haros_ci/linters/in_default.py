@@ -7,6 +7,7 @@ import re
 from collections.abc import Callable
 
 from haros_ci.linters.catalogue import TOOLS
+from haros_ci.regex import regex
 from haros_ci.results.result import Result
 
 #: What a test does on purpose, or what does no harm in one; what is certain to be wrong there, too, is not here.
@@ -29,12 +30,12 @@ IN_TESTS = frozenset(
     """.split()
 )
 _IN_TESTS = r"(?:^|/)(?:tests?|unit_?tests?|integration_?tests?|\w+_tests?|test_\w+)/"
-_TEST = re.compile(rf"{_IN_TESTS}|(?:^|/)(?:test_[^/]*|[^/]*_(?:test|tests|unittest|spec))\.\w+$|(?:^|/)conftest\.py$")
-_DIRECTORY = re.compile(_IN_TESTS)
+_TEST = regex(rf"{_IN_TESTS}|(?:^|/)(?:test_[^/]*|[^/]*_(?:test|tests|unittest|spec))\.\w+$|(?:^|/)conftest\.py$")
+_DIRECTORY = regex(_IN_TESTS)
 #: What is deprecated goes with a later Python than any distribution of ROS 1 has (REP 3: 3.8 at most).
-_DEPRECATION = re.compile(r"pylint:deprecated-(?:argument|attribute|class|decorator|method|module)")
+_DEPRECATION = regex(r"pylint:deprecated-(?:argument|attribute|class|decorator|method|module)")
 #: Objects that are made for what they do until their scope ends, or that somebody forgot to throw.
-_GUARD = re.compile(r"(?:lock|guard|scoped|mutex|exception|error)", re.IGNORECASE)
+_GUARD = regex(r"(?:lock|guard|scoped|mutex|exception|error)", re.IGNORECASE)
 
 
 def is_test(path: str) -> bool:

@@ -11,6 +11,7 @@ from haros_ci.linters.dead_text import dead, is_in, joined
 from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Store, Workspace
 from haros_ci.own_sources import OF_LINTERS, digest
+from haros_ci.regex import regex
 
 #: Stands in a list of names for one that only the preprocessor can tell (``#include MACRO``).
 COMPUTED = "*"
@@ -19,12 +20,12 @@ PROBED = "?"
 #: Stands before one in angle brackets, which is not looked for beside the file.
 ANGLED = "<"
 
-_INCLUDE = re.compile(r'^[ \t]*#[ \t]*(?:include(?:_next)?|import)[ \t]*(?:"([^">\n]+)|(<[^">\n]+))', re.MULTILINE)
-_ANY_INCLUDE = re.compile(
+_INCLUDE = regex(r'^[ \t]*#[ \t]*(?:include(?:_next)?|import)[ \t]*(?:"([^">\n]+)|(<[^">\n]+))', re.MULTILINE)
+_ANY_INCLUDE = regex(
     r"^(?:[ \t\f\v]|/\*(?:[^*\n]|\*(?!/))*\*/)*(?:#|%:|\?\?=)(?:[ \t\f\v]|/\*(?:[^*\n]|\*(?!/))*\*/)*(?:include|import|embed)",
     re.MULTILINE,
 )
-_PROBE = re.compile(r'__has_(?:include(?:_next)?|embed)[ \t]*\(?[ \t]*(?:["<]([^">\n]+))?')
+_PROBE = regex(r'__has_(?:include(?:_next)?|embed)[ \t]*\(?[ \t]*(?:["<]([^">\n]+))?')
 
 
 def written(workspace: Workspace, files: Iterable[SourceFile], store: Store) -> dict[str, tuple[str, ...]]:

@@ -17,48 +17,50 @@ import re
 from collections.abc import Callable, Iterator
 from posixpath import normpath
 
+from haros_ci.regex import regex
+
 #: What may stand between words: cppcheck takes each control character for a blank.
 _BETWEEN = r"[\x00-\x09\x0b-\x20]"
 _BLANKS = "".join(map(chr, (*range(0x0A), *range(0x0B, 0x21))))
 #: A line that goes on in the next (C++ standard, [lex.phases] 2), some compilers allow blanks between.
 _SPLICE = rf"(?:\\|\?\?/){_BETWEEN}*\n"
-_SPLICES = re.compile(_SPLICE)
-_ENDS = re.compile(rf"{_SPLICE}|[\r\n]")
+_SPLICES = regex(_SPLICE)
+_ENDS = regex(rf"{_SPLICE}|[\r\n]")
 #: A text without any of these has nothing to look at, once lines are spliced.
 _MARKS = ("include", "import", "embed", "pragma")
 #: What introduces a directive, in all spellings ([lex.digraph]; trigraphs until C++17).
-_HASH = re.compile(r"#|%:|\?\?=")
-_USUAL_HASH = re.compile("#")
-_BLANK = re.compile(rf"(?:{_BETWEEN}|{_SPLICE})*")
-_WORD = re.compile(rf"(?:[A-Za-z_0-9]|{_SPLICE})+")
+_HASH = regex(r"#|%:|\?\?=")
+_USUAL_HASH = regex("#")
+_BLANK = regex(rf"(?:{_BETWEEN}|{_SPLICE})*")
+_WORD = regex(rf"(?:[A-Za-z_0-9]|{_SPLICE})+")
 _OPENING = frozenset({"include", "include_next", "import", "embed"})
 #: A pragma that opens the file that it names (GCC, "Other Directives"; clang and MSVC have more).
-_PRAGMA = re.compile(r"dependency|include|module|header|comment|load")
+_PRAGMA = regex(r"dependency|include|module|header|comment|load")
 
 
 def _spliced(word: str) -> str:
     return rf"(?:{_SPLICE})*".join(map(re.escape, word))
 
 
-_HAS = re.compile(
+_HAS = regex(
     r"(?<!\w)(?:" + "|".join(map(_spliced, ("__has_include_next", "__has_include", "__has_embed"))) + r")(?!\w)"
 )
 #: What may stand before the name of such a function where it is only asked whether there is one.
-_ASKED = re.compile(r"(?:defined(?:[ \t]*\()?|#[ \t]*ifn?def)[ \t]*$")
+_ASKED = regex(r"(?:defined(?:[ \t]*\()?|#[ \t]*ifn?def)[ \t]*$")
 #: What ends a tool's work, or sets the line and the file that it names (C++ standard, [cpp.error], [cpp.line]; "Preprocessor Output" of GCC's manual for ``# 1 "a.cpp"``).
-_MOVES = re.compile(rf"(?:#|%:|\?\?=){_BETWEEN}*(?:/\*|line|error|[0-9])")
+_MOVES = regex(rf"(?:#|%:|\?\?=){_BETWEEN}*(?:/\*|line|error|[0-9])")
 #: What ends a comment, or a raw text ([lex.string]): to blank it would make code a part of either.
-_CLOSING = re.compile(r"\*/|\)[^()\\\s\"]{0,16}\"|\r(?!\n)")
+_CLOSING = regex(r"\*/|\)[^()\\\s\"]{0,16}\"|\r(?!\n)")
 #: Comments and blanks, as far as they stand in one line.
-_COMMENTS = re.compile(rf"(?:{_BETWEEN}|/\*(?:[^*]|\*(?!/))*\*/)*")
+_COMMENTS = regex(rf"(?:{_BETWEEN}|/\*(?:[^*]|\*(?!/))*\*/)*")
 #: Characters before a directive that are looked at.
 _NEAR = 400
 #: A byte-order mark of UTF-8, read as Latin-1.
 _BOM = "\xef\xbb\xbf"
 #: An import of a header (C++20), and what it follows: the beginning of a line or a statement, a comment, ``export``.
-_IMPORT = re.compile(rf"(?<![A-Za-z0-9_]){_spliced('import')}(?=(?:{_BETWEEN}|{_SPLICE}|/\*)*[\"<])")
+_IMPORT = regex(rf"(?<![A-Za-z0-9_]){_spliced('import')}(?=(?:{_BETWEEN}|{_SPLICE}|/\*)*[\"<])")
 _BEFORE_IMPORT = (";", "{", "}", "*/", "export", "\n")
-_DRIVE = re.compile(r"[A-Za-z]:")
+_DRIVE = regex(r"[A-Za-z]:")
 
 Exists = Callable[[str], bool]
 

@@ -6,12 +6,12 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
-from dataclasses import dataclass
 from pathlib import Path
 from tempfile import TemporaryFile
 
 from haros_ci.linters.linter import LintOptions, Program
 from haros_ci.linters.process import environment, kill_group, search_path, small_files
+from haros_ci.records import dataclass
 
 #: How to get what does not come with haros-ci itself.
 HOW = {

@@ -6,7 +6,6 @@ from __future__ import annotations
 import hashlib
 import json
 import os
-import re
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from posixpath import dirname
@@ -16,6 +15,7 @@ from haros_ci.linters.linter import Batch, Command, Finding, GaveUp, LintOptions
 from haros_ci.model.location import Location
 from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Store, Workspace
+from haros_ci.regex import regex
 from haros_ci.results.result import Result
 from haros_ci.results.rule import Level
 
@@ -56,7 +56,7 @@ INERT = frozenset(
 #: Sections of the project's own, and their headings.
 PREFIXES = ("known-", "import-heading-", "import-footer-")
 
-_UNREAD = re.compile(r"Encoding not supported for (.+)$|Unable to parse file (.+?) due to ")
+_UNREAD = regex(r"Encoding not supported for (.+)$|Unable to parse file (.+?) due to ")
 
 
 def locate(options: LintOptions) -> Program | None:

@@ -10,24 +10,25 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+from haros_ci.regex import regex
 from haros_ci.results.code_alone import code_alone
 
-_ASM = re.compile(r"\b(?:__asm__|__asm|asm)[ \t\n]{0,20}\(")
-_WORDS = re.compile(r"L?\"[\w.$@]*\"|[A-Za-z_]\w*|#")
-_BEHIND = re.compile(r"\s*(?:[;,={)]|__attribute|\[\[|\Z)")
-_REST = re.compile(r"[ \t;]*(?:\n|\Z)")
-_LAST = re.compile(r"(?:\w+|[^\w\s])\Z")
+_ASM = regex(r"\b(?:__asm__|__asm|asm)[ \t\n]{0,20}\(")
+_WORDS = regex(r"L?\"[\w.$@]*\"|[A-Za-z_]\w*|#")
+_BEHIND = regex(r"\s*(?:[;,={)]|__attribute|\[\[|\Z)")
+_REST = regex(r"[ \t;]*(?:\n|\Z)")
+_LAST = regex(r"(?:\w+|[^\w\s])\Z")
 #: What stands before an instruction, not before the name of what is declared.
 _OF_STATEMENTS = frozenset((";", "{", "}", ":", "else", "do", "volatile", "__volatile__", "goto", "inline"))
-_CONTROL = re.compile(r"\b(?:if|for|while|switch|constexpr)\s*\Z")
-_REGISTER = re.compile(r"\bregister\b[^;{}]*\Z")
+_CONTROL = regex(r"\b(?:if|for|while|switch|constexpr)\s*\Z")
+_REGISTER = regex(r"\bregister\b[^;{}]*\Z")
 _NEAR = 400
-_ATTRIBUTE = re.compile(
+_ATTRIBUTE = regex(
     r"(?:__attribute__|__attribute)\s*\(\s*\([^;{}]{0,300}?\b(?:__)?(alias|weakref|ifunc)(?:__)?\s*\("
     r"|\[\[[^;{}\]]{0,300}?\b(?:gnu|clang)\s*::\s*(?:__)?(alias|weakref|ifunc)(?:__)?\s*\("
     r"|\[\[\s*using\s+gnu\s*:[^;{}\]]{0,300}?\b(?:__)?(alias|weakref|ifunc)(?:__)?\s*\("
 )
-_WEAK = re.compile(r"\bweak\b[ \t(]*([A-Za-z_]\w*)[ \t]*=[ \t]*([A-Za-z_]\w*)")
+_WEAK = regex(r"\bweak\b[ \t(]*([A-Za-z_]\w*)[ \t]*=[ \t]*([A-Za-z_]\w*)")
 
 
 def linked_names(code: str) -> Iterator[str]:

@@ -15,6 +15,7 @@ if not __package__:  # run as a script: haros_ci itself, also where it is not in
     sys.path.append(str(Path(__file__).resolve().parents[2]))
 
 from haros_ci.linters.metrics_worker import Tokens, Unmeasurable, begin, file_metrics, serve
+from haros_ci.regex import regex
 
 #: Names that lizard takes for functions where macros or templates confuse it.
 NOT_FUNCTIONS = frozenset(
@@ -29,14 +30,14 @@ KEYWORDS = frozenset(
     " reinterpret_cast requires return sizeof static static_assert static_cast struct switch template thread_local throw"
     " try typedef typeid typename union using virtual volatile while xor xor_eq".split()
 )
-OPERAND = re.compile(r"""[\w"'~]""")
+OPERAND = regex(r"""[\w"'~]""")
 PUNCTUATION = frozenset("{}()[];,")
 CLOSING = frozenset(")]}")
-OFF = re.compile(r"#\s*if\s+(0|false)\b")
-DIRECTIVE = re.compile(r"#\s*(\w+)")
+OFF = regex(r"#\s*if\s+(0|false)\b")
+DIRECTIVE = regex(r"#\s*(\w+)")
 #: What lizard looks for in comments; and a comment that it takes for the name of a file.
 MARKS = ("#lizard", "GENERATED CODE")
-BEHIND_INCLUDE = re.compile(r"#\s*include\s*/[/*]")
+BEHIND_INCLUDE = regex(r"#\s*include\s*/[/*]")
 
 
 def measure(source: bytes) -> dict[str, Any]:

@@ -3,18 +3,17 @@
 
 from __future__ import annotations
 
-import re
-
 from haros_ci.model.workspace import Workspace
+from haros_ci.regex import regex
 from haros_ci.results.code_alone import code_alone, without_comments
 
-_LOADS = re.compile(
+_LOADS = regex(
     r"\bload_source\s*\(|\bspec_from_file_location\s*\(|\bSourceFileLoader\s*\(|\bexecfile\s*\(|\brun_path\s*\("
     r"|\bexec\s*\(\s*(?:compile\s*\(\s*)?(?:open\b|\w+\.read(?:_text)?\s*\()"
 )
 #: A file as code names it, and as a parameter does: by a path.
-_IN_CODE = re.compile(r"(?<![\w-])([\w-]+\.py)\b")
-_IN_PATH = re.compile(r"/(?<![\w-])([\w-]+\.py)\b")
+_IN_CODE = regex(r"(?<![\w-])([\w-]+\.py)\b")
+_IN_PATH = regex(r"/(?<![\w-])([\w-]+\.py)\b")
 #: Files that install, and load the version of the package.
 _ASIDE = ("setup.py", "conf.py")
 _NAMING = frozenset(("yaml", "launch", "xml"))

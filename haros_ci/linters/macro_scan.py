@@ -12,30 +12,31 @@ workspace is neither:
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Iterator
+
+from haros_ci.regex import regex
 
 #: Marks of :func:`marks`: a decoration, a registration, a name that is no decoration, one that is no registration.
 DECORATION, REGISTRATION, NO_DECORATION, NO_REGISTRATION = "d:", "r:", "!d:", "!r:"
 
 #: Names of decorations, by the endings that ROS and its build tools give them.
-_DECORATION = re.compile(
+_DECORATION = regex(
     r"\b[A-Z][A-Z0-9]*_(?:[A-Z0-9_]*_)?(?:PUBLIC|LOCAL|EXPORT|IMPORT|DECL|HIDDEN|PUBLIC_TYPE|VISIBLE|VISIBILITY|EXPORTS)\b"
 )
 #: What stands before a value, on its line.
-_BEFORE_A_VALUE = re.compile(r"(?:[=!|?+/,(.]|::|\breturn|\bcase)[ \t]*$")
+_BEFORE_A_VALUE = regex(r"(?:[=!|?+/,(.]|::|\breturn|\bcase)[ \t]*$")
 #: What follows a value; or the arguments of a macro, which a decoration has not.
-_AFTER_A_VALUE = re.compile(r"\s*(?:[-(),;.=!?|&+*/<>}\]^%]|:(?!:))")
-_CALL = re.compile(r"\b[A-Z][A-Z0-9]*_[A-Z0-9_]*[A-Z0-9](?=[ \t]*\()")
-_GAP = re.compile(r"(?:\s+|//[^\n]*|/\*(?:[^*]|\*(?!/)){0,4000}\*/)*")
-_BRACKET = re.compile(r"[()\"';{}]")
-_DIRECTIVE = re.compile(r"(?:#|%:)(?:[^\n\\]|\\\r?\n|\\.)*")
+_AFTER_A_VALUE = regex(r"\s*(?:[-(),;.=!?|&+*/<>}\]^%]|:(?!:))")
+_CALL = regex(r"\b[A-Z][A-Z0-9]*_[A-Z0-9_]*[A-Z0-9](?=[ \t]*\()")
+_GAP = regex(r"(?:\s+|//[^\n]*|/\*(?:[^*]|\*(?!/)){0,4000}\*/)*")
+_BRACKET = regex(r"[()\"';{}]")
+_DIRECTIVE = regex(r"(?:#|%:)(?:[^\n\\]|\\\r?\n|\\.)*")
 #: What may stand behind the parameters of a function, and words that are operators ([lex.digraph]).
-_GOES_ON = re.compile(
+_GOES_ON = regex(
     r"(?:noexcept|const|volatile|override|final|try|requires|mutable|and|or|xor|bitand|bitor|and_eq|or_eq|xor_eq|not_eq|throw|restrict|__restrict)\b"
 )
 #: What stands at the end of the line before where a statement or a declaration has begun: a registration is one of its own.
-_HAS_BEGUN = re.compile(
+_HAS_BEGUN = regex(
     r"(?:[=*&,(+/|^!<?.%~\[-]|\b(?:return|throw|co_return|co_yield|delete|new|case|goto|else|do))[ \t]*\Z|\b(?!public\b|signals\b|slots\b)[a-z]\w*[ \t]*\Z"
 )
 #: The arguments of a registration are no longer than this, in characters, and nest no deeper.

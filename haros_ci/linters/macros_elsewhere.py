@@ -14,37 +14,38 @@ from haros_ci.linters.dead_text import dead, is_in, joined
 from haros_ci.linters.meanings import gives_code, is_word_for_a_word
 from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Workspace
+from haros_ci.regex import regex
 from haros_ci.results.code_alone import without_comments
 
 #: Headers that are looked at for one file.
 _MOST = 300
-_INCLUDE = re.compile(r"^[ \t]*(?:#|%:)[ \t]*(?:include(?:_next)?|import)[ \t]*[\"<]([^\">\n]{1,300})", re.M)
+_INCLUDE = regex(r"^[ \t]*(?:#|%:)[ \t]*(?:include(?:_next)?|import)[ \t]*[\"<]([^\">\n]{1,300})", re.M)
 #: A macro with its words, over several lines, too.
-DEFINED = re.compile(
+DEFINED = regex(
     r"^[ \t]*(?:#|%:)[ \t]*(?:define|cmakedefine)[ \t]+([A-Za-z_]\w{0,100})\b((?:[^\n\\]|\\\r?\n|\\.){0,8000})", re.M
 )
-_UNDEFINED = re.compile(r"^[ \t]*(?:#|%:)[ \t]*undef[ \t]+([A-Za-z_]\w{0,100})", re.M)
-_TESTED = re.compile(
+_UNDEFINED = regex(r"^[ \t]*(?:#|%:)[ \t]*undef[ \t]+([A-Za-z_]\w{0,100})", re.M)
+_TESTED = regex(
     r"^[ \t]*(?:#|%:)[ \t]*(?:ifn?def[ \t]+([A-Za-z_]\w*)|(?:el)?if\b[^\n]{0,400}?\bdefined\b[ \t(]*([A-Za-z_]\w*))",
     re.M,
 )
-_WORD = re.compile(r"[A-Za-z_]\w*")
+_WORD = regex(r"[A-Za-z_]\w*")
 #: A function with its body: a macro of its name is what is called in its place. Words before brackets that are no functions.
-_FUNCTION = re.compile(
+_FUNCTION = regex(
     r"\b([a-z_]\w*)\)?\s*\((?:[^(){};]|\([^(){};]{0,200}\)){0,400}\)\s*(?:(?:const|noexcept|override|final)\s*){0,4}\{"
 )
 _CONTROL = frozenset("if for while switch catch constexpr sizeof return".split())
 #: What makes a header of a template, with its name; what is put before each source of a target; what a variable is given.
-_CONFIGURED = re.compile(r"\bconfigure_file\s*\(\s*\"?([^\s()\"]{1,400})\"?\s+\"?([^\s()\"]{1,400})\"?", re.I)
-_FORCED = re.compile(
+_CONFIGURED = regex(r"\bconfigure_file\s*\(\s*\"?([^\s()\"]{1,400})\"?\s+\"?([^\s()\"]{1,400})\"?", re.I)
+_FORCED = regex(
     r"\btarget_precompile_headers\s*\(([^()]{1,8000})\)|(?<![\w-])-{1,2}(?:include|imacros)[\s;]+([^\s;\"()]{1,400})",
     re.I,
 )
-_MAY_MAKE = re.compile(r"configure_file|precompile_headers|-include|-imacros", re.I)
-_SET = re.compile(r"\bset\s*\(\s*(\w{1,100})\s+\"?([A-Za-z_]\w{0,100})\"?\s*\)", re.I)
-_PLACE = re.compile(r"@(\w{1,100})@|\$\{(\w{1,100})\}")
-_TEMPLATE = re.compile(r"(.+\.(?:h|hh|hpp|hxx|h\+\+|inl|ipp|tpp|txx))\.(?:in|em|template|tmpl|tpl|j2|jinja2?)", re.I)
-_HEADER = re.compile(r"[\w.+-]+\.(?:h|hh|hpp|hxx|h\+\+|inl|ipp|tpp|txx)\b", re.I)
+_MAY_MAKE = regex(r"configure_file|precompile_headers|-include|-imacros", re.I)
+_SET = regex(r"\bset\s*\(\s*(\w{1,100})\s+\"?([A-Za-z_]\w{0,100})\"?\s*\)", re.I)
+_PLACE = regex(r"@(\w{1,100})@|\$\{(\w{1,100})\}")
+_TEMPLATE = regex(r"(.+\.(?:h|hh|hpp|hxx|h\+\+|inl|ipp|tpp|txx))\.(?:in|em|template|tmpl|tpl|j2|jinja2?)", re.I)
+_HEADER = regex(r"[\w.+-]+\.(?:h|hh|hpp|hxx|h\+\+|inl|ipp|tpp|txx)\b", re.I)
 
 
 class Macro(NamedTuple):

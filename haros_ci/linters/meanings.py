@@ -5,14 +5,16 @@ from __future__ import annotations
 
 import re
 
-_CODE = re.compile(r"\b(?:return|throw|goto|delete)\b|[{;]")
-_PARAMETERS = re.compile(r"\(([^()\n]{0,2000})\)")
+from haros_ci.regex import regex
+
+_CODE = regex(r"\b(?:return|throw|goto|delete)\b|[{;]")
+_PARAMETERS = regex(r"\(([^()\n]{0,2000})\)")
 #: What is no word of the code around: texts, characters, numbers, attributes.
-_IDLE = re.compile(
+_IDLE = regex(
     r"\"(?:[^\"\\\n]|\\.)*\"|'(?:[^'\\\n]|\\.){1,12}'|\b\d[\w.']*|\[\[[^\[\]]{0,400}\]\]"
     r"|\b(?:__attribute__|__attribute|__declspec|__pragma|_Pragma|alignas)\s*\((?:[^()]|\((?:[^()]|\([^()]{0,200}\)){0,200}\)){0,400}\)"
 )
-_NAME = re.compile(r"(::\s*)?\b([A-Za-z_]\w*)\b(?=\s*(\(|::|<|##)?)")
+_NAME = regex(r"(::\s*)?\b([A-Za-z_]\w*)\b(?=\s*(\(|::|<|##)?)")
 #: Keywords that name types or qualify them, and words that a value is made of without naming one.
 _QUIET = frozenset(
     """
@@ -30,10 +32,10 @@ _KEYWORDS = frozenset(
     override final and or not xor bitand bitor compl alignas alignof co_await co_return co_yield
     """.split()
 )
-_CAPITALS = re.compile(r"_*[A-Z][A-Z0-9_]*")
-_TYPE = re.compile(r"\w+_t")
+_CAPITALS = regex(r"_*[A-Z][A-Z0-9_]*")
+_TYPE = regex(r"\w+_t")
 #: What a word may stand in and still be the word alone.
-_AROUND = re.compile(r"[\s()&*!~+-]+")
+_AROUND = regex(r"[\s()&*!~+-]+")
 #: Operators and statements that are spelled as words.
 SPELLED = frozenset("not compl bitand bitor and or xor return throw delete goto new co_return nullptr NULL".split())
 

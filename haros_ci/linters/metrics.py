@@ -5,11 +5,11 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
 from typing import Any
 
 from haros_ci.linters.linter import Batch, Command, Finding, GaveUp, Output, Program
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass
 from haros_ci.results.result import Result
 from haros_ci.results.rule import Level
 

@@ -6,7 +6,6 @@ from __future__ import annotations
 import hashlib
 import json
 import os
-import re
 import sys
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
@@ -17,6 +16,7 @@ from haros_ci.linters.linter import Batch, Command, Finding, GaveUp, LintOptions
 from haros_ci.model.location import Location
 from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Store, Workspace
+from haros_ci.regex import regex
 from haros_ci.results.result import Result
 from haros_ci.results.rule import Level
 
@@ -48,8 +48,8 @@ INERT = frozenset(
     """.split()
 )
 
-_NO_TYPE = re.compile(r"\w\?")
-_NO_MEMBER = re.compile(r'Module "([\w.]+)" has no attribute ')
+_NO_TYPE = regex(r"\w\?")
+_NO_MEMBER = regex(r'Module "([\w.]+)" has no attribute ')
 
 
 def locate(options: LintOptions) -> Program | None:

@@ -8,9 +8,10 @@ from functools import cache, lru_cache
 
 from haros_ci.linters import columns
 from haros_ci.linters.catalogue.same_defect import SAME_DEFECT
+from haros_ci.regex import regex
 from haros_ci.results.comments import comments
 
-_NOQA = re.compile(r"#\s{0,9}noqa\s{0,9}:\s{0,9}((?:[A-Z]+[0-9]+[,\s]{0,9})+)", re.IGNORECASE)
+_NOQA = regex(r"#\s{0,9}noqa\s{0,9}:\s{0,9}((?:[A-Z]+[0-9]+[,\s]{0,9})+)", re.IGNORECASE)
 _OF_CODES = ("ruff:", "flake8:")
 
 

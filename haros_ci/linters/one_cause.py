@@ -7,6 +7,7 @@ import re
 from collections import defaultdict
 from collections.abc import Callable, Iterable, Iterator, Sequence
 
+from haros_ci.regex import regex
 from haros_ci.results.result import Result
 from haros_ci.results.same_cause import OF_A_NAME, put_together
 from haros_ci.results.scope import scopes
@@ -74,21 +75,21 @@ OF_A_FILE = frozenset(("pylint:invalid-all-object", "cpplint:readability/utf8"))
 #: A finding names no more other places than this; the rest of a cause follows in another finding.
 MOST = 40
 
-_BRACKET = re.compile(r"[()\[\]{}]")
-_STRING = re.compile(r"'[^'\n]*'|\"[^\"\n]*\"")
-_CALLEE = re.compile(r"(?<!\w)(\w+)\s*$")
+_BRACKET = regex(r"[()\[\]{}]")
+_STRING = regex(r"'[^'\n]*'|\"[^\"\n]*\"")
+_CALLEE = regex(r"(?<!\w)(\w+)\s*$")
 #: Lines of a call, and characters before its bracket, that are looked at.
 _LONGEST = 200
 
-_REMARK = re.compile(r"//[^\n]*|/\*.*?(?:\*/|\Z)", re.DOTALL)
+_REMARK = regex(r"//[^\n]*|/\*.*?(?:\*/|\Z)", re.DOTALL)
 #: Lines of a declaration that are looked at.
 _DECLARATION = 8
 
 #: The arguments of a template, which cppcheck names at each of its instances.
-_INSTANCE = re.compile(r"\s*<[^<>']{0,200}>")
+_INSTANCE = regex(r"\s*<[^<>']{0,200}>")
 
 #: A variable in a message: in quotes, or after the colon at the end, where a full stop may follow.
-_NAME = re.compile(r"'(\w+)'|: ([\w.>-]*[\w>-])\.?$")
+_NAME = regex(r"'(\w+)'|: ([\w.>-]*[\w>-])\.?$")
 
 #: A rule, a path, and what tells the causes in a file apart.
 _Key = tuple[str, str, object]

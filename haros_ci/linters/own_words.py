@@ -12,13 +12,14 @@ from pathlib import Path
 from haros_ci.linters import installed
 from haros_ci.linters.linter import LintOptions
 from haros_ci.linters.process import environment
+from haros_ci.regex import regex
 
 #: Seconds until a tool that says nothing is left alone.
 TIMEOUT = 20.0
 #: The most that is read of an answer, in characters.
 MOST = 20_000
 #: Names of rules that are given to a tool as an argument: no option, no path.
-_NAME = re.compile(r"[A-Za-z][A-Za-z0-9_-]{0,99}\Z")
+_NAME = regex(r"[A-Za-z][A-Za-z0-9_-]{0,99}\Z")
 
 
 def own_words(tool: str, rule: str, root: Path | None = None) -> str:

@@ -4,12 +4,12 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator
-from dataclasses import dataclass
 
 from haros_ci.linters.linter import Linter, LintOptions, Program
 from haros_ci.linters.run import Progress, complete
 from haros_ci.linters.work import Digests, InstalledTools, Work
 from haros_ci.model.workspace import Store, Workspace
+from haros_ci.records import dataclass
 from haros_ci.results.result import Run
 
 

@@ -14,22 +14,23 @@ from typing import NamedTuple
 from haros_ci.linters.macros_elsewhere import MacrosElsewhere
 from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Workspace
+from haros_ci.regex import regex
 from haros_ci.results.code_alone import without_comments
 
-_DEFINE = re.compile(
+_DEFINE = regex(
     r"^[ \t]*(?:#|%:)[ \t]*define[ \t]+([A-Za-z_]\w*)(?:\(([^()\n]{0,2000})\))?((?:[^\n\\]|\\\r?\n|\\.){0,8000})", re.M
 )
-_CALL = re.compile(r"\b([A-Za-z_]\w*)\s*\(")
-_BRACKET = re.compile(r"[(),]|\"(?:[^\"\\\n]|\\.)*\"|'(?:[^'\\\n]|\\.){1,12}'")
-_WORD = re.compile(r"[A-Za-z_]\w*")
-_PASTED = re.compile(r"(?:([A-Za-z_]\w*)\s*)?(?:##|%:%:)(?:\s*([A-Za-z_]\w*))?")
+_CALL = regex(r"\b([A-Za-z_]\w*)\s*\(")
+_BRACKET = regex(r"[(),]|\"(?:[^\"\\\n]|\\.)*\"|'(?:[^'\\\n]|\\.){1,12}'")
+_WORD = regex(r"[A-Za-z_]\w*")
+_PASTED = regex(r"(?:([A-Za-z_]\w*)\s*)?(?:##|%:%:)(?:\s*([A-Za-z_]\w*))?")
 #: What a macro declares as a class is none itself: no macro can be a number there.
-_DECLARED = re.compile(r"\b(?:class|struct)\s+([A-Za-z_]\w*)\s*;")
+_DECLARED = regex(r"\b(?:class|struct)\s+([A-Za-z_]\w*)\s*;")
 #: The beginning or the end of a name by custom, which no header of the system has a macro for.
-_PIECE = re.compile(r"[A-Za-z]\w*_|_[a-z]\w*")
+_PIECE = regex(r"[A-Za-z]\w*_|_[a-z]\w*")
 #: Rounds in which macros that hand an argument on are found, characters of the arguments of one call, and brackets and commas that are read of one file.
 _ROUNDS, _LONGEST, _MOST = 8, 4_000, 200_000
-_NUMBERED = re.compile(r"\b([A-Za-z_]\w*?)\d+\b")
+_NUMBERED = regex(r"\b([A-Za-z_]\w*?)\d+\b")
 
 
 class _Macro(NamedTuple):

@@ -7,12 +7,12 @@ A portion is of one tool and one group, whose units share a process: so it is wo
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
 from itertools import groupby
 
 from haros_ci.linters import schedule
 from haros_ci.linters.linter import Unit
 from haros_ci.linters.work import Work
+from haros_ci.records import dataclass
 
 #: A portion is no more than this part of what each machine gets, so that the last ones can even the shares out.
 PORTIONS_EACH = 8

@@ -34,6 +34,7 @@ from haros_ci.linters.settings_files import continued
 from haros_ci.model.location import Location
 from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Store, Workspace
+from haros_ci.regex import regex
 from haros_ci.results.result import Result
 from haros_ci.results.rule import Level
 
@@ -50,7 +51,7 @@ LEVELS = {"fatal": Level.ERROR, "error": Level.ERROR, "warning": Level.WARNING}
 #: Messages on the analysis itself.
 TROUBLE = frozenset({"astroid-error", "parse-error", "fatal", "method-check-failed", "config-parse-error"})
 #: What no-value-for-parameter says of ``__new__`` where the class is what it misses.
-_OF_CLASS = re.compile(r"argument '(?:cls|klass|mcs|mcls)'")
+_OF_CLASS = regex(r"argument '(?:cls|klass|mcs|mcls)'")
 #: Messages on pylint's options, which are not findings in code.
 ABOUT_OPTIONS = frozenset(
     {"unknown-option-value", "unrecognized-option", "useless-option-value", "bad-configuration-section"}
@@ -71,11 +72,9 @@ def fingerprint(workspace: Workspace, options: LintOptions) -> str:
 
 
 #: What it writes when it parses a file, and when it looks at one.
-PROGRESS = re.compile(
-    rb"^(?=AST for .|.+ \(\d+ of \d+\)$)(?:AST for )?(?:\./)?(.+?)(?: \(\d+ of \d+\))?$", re.MULTILINE
-)
+PROGRESS = regex(rb"^(?=AST for .|.+ \(\d+ of \d+\)$)(?:AST for )?(?:\./)?(.+?)(?: \(\d+ of \d+\))?$", re.MULTILINE)
 #: The whole line, for a file may have this name.
-_NOTHING = re.compile(rb"^No files to lint: exiting\.?\r?$", re.MULTILINE)
+_NOTHING = regex(rb"^No files to lint: exiting\.?\r?$", re.MULTILINE)
 #: How the report begins. Before it stands what pylint is at, and what modules of Python say that it imports to look into them: ``this`` its poem.
 _REPORT = b'{\n    "messages"'
 

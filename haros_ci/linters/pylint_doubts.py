@@ -35,41 +35,40 @@ from haros_ci.linters.pylint_statements import (
 )
 from haros_ci.linters.python2 import runs_only_on_python2
 from haros_ci.linters.python_defaults import is_only_read
+from haros_ci.regex import regex
 from haros_ci.results.code_alone import code_alone
 from haros_ci.results.overwritten import is_overwritten, is_used_before
 from haros_ci.results.scope import scopes
 
-_CALLEE = re.compile(r"(?<!\w)(\w+)[ \t]*\(")
+_CALLEE = regex(r"(?<!\w)(\w+)[ \t]*\(")
 #: The idiom of ROS 2's tutorials: ``self.subscription  # prevent unused variable warning``.
-_KEPT = re.compile(r"\A[^#]*#.*\b(?:unused|warnings?|lint\w*|pylint|flake8|noqa|keep|reference)\b", re.IGNORECASE)
+_KEPT = regex(r"\A[^#]*#.*\b(?:unused|warnings?|lint\w*|pylint|flake8|noqa|keep|reference)\b", re.IGNORECASE)
 #: A conversion that takes a number as well as the text of a variable.
-_CONVERTED = re.compile(r"\b(?:int|float|bool|str)\([ \t]*os\.(?:getenv|environ\.get)[ \t]*\(")
+_CONVERTED = regex(r"\b(?:int|float|bool|str)\([ \t]*os\.(?:getenv|environ\.get)[ \t]*\(")
 #: What is evaluated to see whether it raises.
-_RAISING = re.compile(
+_RAISING = regex(
     r"\s*(?:async\s+)?with\b.*\b(?:raises|assertRaises\w*|warns|assertWarns\w*|suppress|deprecated_call)\b|\s*try\s*:"
 )
 #: How far above its use a name of that idiom is assigned.
 _NEAR = 40
 #: Characters of a line that are looked at.
 _LONGEST = 400
-_NAME = re.compile(r"[A-Za-z_][\w.]*")
-_OF_SHAPES = re.compile(r"\.(?:reshape|transpose|resize)[ \t]*\(")
-_BRACKET_OR_SHAPE = re.compile(rf"{_OF_SHAPES.pattern}|[\[({{\])}}]")
+_NAME = regex(r"[A-Za-z_][\w.]*")
+_OF_SHAPES = regex(r"\.(?:reshape|transpose|resize)[ \t]*\(")
+_BRACKET_OR_SHAPE = regex(rf"{_OF_SHAPES.pattern}|[\[({{\])}}]")
 #: Lines of a statement that are looked at.
 _STATEMENT_LINES = 40
 #: ``[call(x) for x in them]``, over several lines, too.
-_COMPREHENSION = re.compile(
-    r"[\[{(][^\[\]{}]{0,300}?\w\([^\[\]{}]{0,300}?\)\s*(?:\S{0,40}\s+)?for\s[^\n]{1,200}?\sin\s"
-)
-_SWITCHED = re.compile(
+_COMPREHENSION = regex(r"[\[{(][^\[\]{}]{0,300}?\w\([^\[\]{}]{0,300}?\)\s*(?:\S{0,40}\s+)?for\s[^\n]{1,200}?\sin\s")
+_SWITCHED = regex(
     r"\bor[ \t]+(?:True|1)\b(?![ \t]*[.=<>])|\band[ \t]+(?:False|0)\b(?![ \t]*[.=<>])|\b(?:if|elif|while)[ \t]+(?:True[ \t]+or|False[ \t]+and)\b"
 )
-_UNWRITTEN = re.compile(r"raise[ \t]+(?:NotImplementedError|NotImplemented)\b")
-_TRY = re.compile(r"\s*try\s*:")
-_MISSING = re.compile(r"\s*except\b(?:\s*:|[^\n:]{0,200}\b(?:ImportError|ModuleNotFoundError|Exception)\b)")
-_BRANCH = re.compile(r"\s*(?:if|elif|else)\b")
-_PLATFORM = re.compile(r"\s*(?:if|elif)\b.*\b(?:sys\.platform|platform\.system|os\.name|platform)\b")
-_MAIN = re.compile(r"if\b.*__name__\s*==\s*['\"]__main__['\"]|if\b.*['\"]__main__['\"]\s*==\s*__name__")
+_UNWRITTEN = regex(r"raise[ \t]+(?:NotImplementedError|NotImplemented)\b")
+_TRY = regex(r"\s*try\s*:")
+_MISSING = regex(r"\s*except\b(?:\s*:|[^\n:]{0,200}\b(?:ImportError|ModuleNotFoundError|Exception)\b)")
+_BRANCH = regex(r"\s*(?:if|elif|else)\b")
+_PLATFORM = regex(r"\s*(?:if|elif)\b.*\b(?:sys\.platform|platform\.system|os\.name|platform)\b")
+_MAIN = regex(r"if\b.*__name__\s*==\s*['\"]__main__['\"]|if\b.*['\"]__main__['\"]\s*==\s*__name__")
 
 
 #: What pylint says of a value: wrong where it takes for the object what a method without ``self`` is given through its class.

@@ -11,6 +11,7 @@ import warnings
 from functools import lru_cache
 
 from haros_ci.linters.python_bindings import is_of_tests
+from haros_ci.regex import regex
 from haros_ci.results.scope import scopes
 
 #: Lines of one statement, and characters of a line, that are looked at.
@@ -18,14 +19,14 @@ _MOST = 12
 _LONGEST = 400
 #: How far above a loop a dictionary is made.
 _MADE = 60
-_THREAD = re.compile(r"[ \t]*((?:\w+\.)?\w+)[ \t]*(?::[^=\n]{0,80})?=[ \t]*(?:[\w.]+\.)?\w*Thread\([ \t]*\)")
-_ATTRIBUTE = re.compile(r"(?:self|cls)\.(\w+)[ \t]*\(")
-_ABSTRACT = re.compile(r"\bABC(?:Meta)?\b|\babstract|\bNotImplementedError\b", re.IGNORECASE)
-_WORD = re.compile(r"[^\W\d]\w*")
+_THREAD = regex(r"[ \t]*((?:\w+\.)?\w+)[ \t]*(?::[^=\n]{0,80})?=[ \t]*(?:[\w.]+\.)?\w*Thread\([ \t]*\)")
+_ATTRIBUTE = regex(r"(?:self|cls)\.(\w+)[ \t]*\(")
+_ABSTRACT = regex(r"\bABC(?:Meta)?\b|\babstract|\bNotImplementedError\b", re.IGNORECASE)
+_WORD = regex(r"[^\W\d]\w*")
 #: How methods call the object, the class, and the class of a class.
 _OBJECTS = frozenset(("self", "cls", "mcs", "mcls", "metacls", "klass", "this"))
 #: A call on one line with ``*x`` or ``**x`` among its arguments, none of which has brackets of its own before it.
-_CALL_UNPACKED = re.compile(r"[\w.]{1,200}\((?:[^()\n]{0,200},)?[ \t]{0,20}\*{1,2}[ \t]{0,20}[\w(\[{]")
+_CALL_UNPACKED = regex(r"[\w.]{1,200}\((?:[^()\n]{0,200},)?[ \t]{0,20}\*{1,2}[ \t]{0,20}[\w(\[{]")
 
 
 def is_unpacked(text: str, line: int, column: int) -> bool:

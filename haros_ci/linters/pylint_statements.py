@@ -11,11 +11,12 @@ from collections.abc import Iterator
 from typing import TypeGuard
 
 from haros_ci.linters.pylint_idioms import nodes
+from haros_ci.regex import regex
 
 _SCOPES = (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)
-_NAN = re.compile(r"\bnan\b", re.IGNORECASE)
+_NAN = regex(r"\bnan\b", re.IGNORECASE)
 #: A field of ``str.format``; two braces are one of the text.
-_FIELD = re.compile(r"(?<!\{)(?:\{\{)*\{(?!\{)")
+_FIELD = regex(r"(?<!\{)(?:\{\{)*\{(?!\{)")
 
 
 def gives_names(text: str) -> bool:

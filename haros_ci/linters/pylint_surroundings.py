@@ -11,6 +11,7 @@ from haros_ci.linters.class_methods import CLASS, method_at
 from haros_ci.linters.decorated import is_call_of_decorated
 from haros_ci.linters.python2 import imports_future, is_of_python2, names_python3
 from haros_ci.model.workspace import Workspace
+from haros_ci.regex import regex
 from haros_ci.results.result import Result
 
 TOOL = "pylint"
@@ -19,7 +20,7 @@ _OF_MODULES = frozenset(
     "not-callable not-an-iterable unsubscriptable-object no-member no-name-in-module no-value-for-parameter".split()
 )
 #: ``yaml.load(stream)``, which PyYAML of Python 2 takes without a Loader.
-_LOADER = re.compile(r"argument 'Loader'")
+_LOADER = regex(r"argument 'Loader'")
 #: What later versions of Python say alone.
 _OF_PYTHON3 = frozenset(
     "anomalous-backslash-in-string deprecated-argument deprecated-attribute deprecated-class deprecated-decorator deprecated-method"
@@ -31,34 +32,34 @@ _OF_SIGNATURES = frozenset(
 )
 _APART = frozenset(("import-self", "no-self-argument", "syntax-error", "undefined-all-variable"))
 #: An alias of typing, which no version of Python is said to remove; ByteString is to go.
-_ALIAS = re.compile(r"\bclass (?!ByteString\b)\w+ of module typing\b")
-_PYTHON2 = re.compile(r"#![^\n]*\bpython2")
-_CALLEE = re.compile(r"([A-Za-z_]\w*)(?:[ \t]*\.[ \t]*\w+)*[ \t]*\(")
+_ALIAS = regex(r"\bclass (?!ByteString\b)\w+ of module typing\b")
+_PYTHON2 = regex(r"#![^\n]*\bpython2")
+_CALLEE = regex(r"([A-Za-z_]\w*)(?:[ \t]*\.[ \t]*\w+)*[ \t]*\(")
 #: A tab reaches to the next column of eight in Python 2 ("Indentation" in its reference); Python 3 takes no line that depends on that.
 _TABS = "inconsistent use of tabs and spaces"
-_TAB, _BLANKS = re.compile(r"^\t", re.MULTILINE), re.compile(r"^ {2,8}\S", re.MULTILINE)
+_TAB, _BLANKS = regex(r"^\t", re.MULTILINE), regex(r"^ {2,8}\S", re.MULTILINE)
 #: So many files that mix tabs and blanks are no slip.
 _MANY_MIXED = 4
 #: The interpreter of scripts that say no version.
-_PLAIN = re.compile(r"#![^\n]*\bpython(?:[ \t]|$)", re.MULTILINE)
+_PLAIN = regex(r"#![^\n]*\bpython(?:[ \t]|$)", re.MULTILINE)
 #: Files that may say for which distribution a workspace is, and what they say then.
-_PAGE = re.compile(
+_PAGE = regex(
     r"(?:^|/)(?:readme[^/]*|changelog[^/]*|package\.xml|\.travis\.yml|\.gitlab-ci\.yml|dockerfile[^/]*|[^/]*\.(?:sh|dockerfile)|[^/]*requirements[^/]*\.txt)$"
     r"|^\.(?:github|circleci)/.*\.ya?ml$",
     re.IGNORECASE,
 )
-_REQUIREMENTS = re.compile(
+_REQUIREMENTS = regex(
     r"(?:^|/)(?:[^/]*requirements[^/]*\.txt|setup\.py|setup\.cfg|pyproject\.toml|environment\.ya?ml)$", re.IGNORECASE
 )
-_OF_NEW_ROS = re.compile(r"noetic|python-?3|\bpip3\b|\bfocal\b|20\.04", re.IGNORECASE)
-_ALL = re.compile(r"Undefined variable name '([A-Za-z_]\w*)' in __all__")
-_STARRED = re.compile(r"^[ \t]*from[ \t]+([A-Za-z_]\w*)[ \t]+import[ \t]*\*", re.MULTILINE)
-_TAKEN = re.compile(r"[ \t]*from[ \t]+([A-Za-z_]\w*)[ \t]+import[ \t]+\(?([\w, \t]+)")
-_EXPORTS = re.compile(r"^__all__\b", re.MULTILINE)
+_OF_NEW_ROS = regex(r"noetic|python-?3|\bpip3\b|\bfocal\b|20\.04", re.IGNORECASE)
+_ALL = regex(r"Undefined variable name '([A-Za-z_]\w*)' in __all__")
+_STARRED = regex(r"^[ \t]*from[ \t]+([A-Za-z_]\w*)[ \t]+import[ \t]*\*", re.MULTILINE)
+_TAKEN = regex(r"[ \t]*from[ \t]+([A-Za-z_]\w*)[ \t]+import[ \t]+\(?([\w, \t]+)")
+_EXPORTS = regex(r"^__all__\b", re.MULTILINE)
 #: Files of a package that are asked for their Python.
 _MOST_FILES = 300
 _MOST_FILES_OF_ALL = 1000
-_NAME = re.compile(r"[A-Za-z_]\w*")
+_NAME = regex(r"[A-Za-z_]\w*")
 _LONGEST = 400
 
 

@@ -7,9 +7,11 @@ import re
 import sys
 from collections.abc import Iterable
 
-_SHEBANG = re.compile(r"#!(?:(?!#!).)*\bpython2")
+from haros_ci.regex import regex
+
+_SHEBANG = regex(r"#!(?:(?!#!).)*\bpython2")
 #: Statements that no Python 3 parser accepts and every Python 2 did.
-_STATEMENTS = re.compile(
+_STATEMENTS = regex(
     r"""^[ \t]*(?:
         print[ \t]+(?![=.,:)\]%*/+&|<-])(?:>>|["'\w(\[{`]).*
         | print[ \t]*>>[ \t]*\w.*
@@ -20,38 +22,38 @@ _STATEMENTS = re.compile(
     re.MULTILINE | re.VERBOSE,
 )
 #: Operators and numbers that Python 3 has no more; a zero before octal digits is no fraction's (``0.01``).
-_OPERATORS = re.compile(r"<>|`[^`\n]{1,200}`|(?<![\w.])0[0-7]*[1-7][0-7]*[lL]?(?![\w.])|\bur\"")
+_OPERATORS = regex(r"<>|`[^`\n]{1,200}`|(?<![\w.])0[0-7]*[1-7][0-7]*[lL]?(?![\w.])|\bur\"")
 #: Texts and comments of one line.
-_REMARKS = re.compile(r"(?P<quote>['\"])(?:\\.|(?!(?P=quote))[^\\\n])*(?P=quote)|#[^\n]*")
+_REMARKS = regex(r"(?P<quote>['\"])(?:\\.|(?!(?P=quote))[^\\\n])*(?P=quote)|#[^\n]*")
 #: Methods and names that Python 3 has no more (What's New in Python 3.0), in what its parser takes.
-_GONE = re.compile(
+_GONE = regex(
     r"\.(?:iteritems|iterkeys|itervalues|has_key)[ \t]*\(|(?<![\w.])(?:xrange|raw_input|unicode|basestring)[ \t]*[(,)]"
     r"|^[ \t]*(?:import|from)[ \t]+(?:urllib2|ConfigParser|Queue|cPickle|StringIO|Tkinter|httplib|commands)\b",
     re.MULTILINE,
 )
 #: What makes a file run on either.
-_EITHER = re.compile(
+_EITHER = regex(
     r"\bversion_info\b|\bPY[23]\b|\bpython_version|\bimport[ \t]+six\b|\bfrom[ \t]+(?:six|past|future|builtins)\b"
     r"|\bexcept[ \t(]+[^\n:]{0,80}\b(?:NameError|ImportError|ModuleNotFoundError|AttributeError)\b|#!.*\bpython3"
 )
-_PYTHON3 = re.compile(r"#![^\n]*\bpython3")
+_PYTHON3 = regex(r"#![^\n]*\bpython3")
 #: ``<run_depend>python-yaml</run_depend>``: the key of rosdep for Python 2.
-_KEY = re.compile(r"<(?:\w+_)?depend>\s*python-[\w-]+\s*<")
-_REMARK = re.compile(r"<!--.*?(?:-->|\Z)", re.DOTALL)
+_KEY = regex(r"<(?:\w+_)?depend>\s*python-[\w-]+\s*<")
+_REMARK = regex(r"<!--.*?(?:-->|\Z)", re.DOTALL)
 #: Texts over several lines, in which a line may begin with any word.
-_TEXTS = re.compile(r"\"\"\".{0,20000}?\"\"\"|'''.{0,20000}?'''", re.DOTALL)
+_TEXTS = regex(r"\"\"\".{0,20000}?\"\"\"|'''.{0,20000}?'''", re.DOTALL)
 #: What Python 3 does anyhow, and Python 2 by request.
-_FUTURE = re.compile(
+_FUTURE = regex(
     r"^from[ \t]+__future__[ \t]+import[ \t(]+[^\n#]{0,200}?\b(?:absolute_import|division|print_function|unicode_literals)\b",
     re.MULTILINE,
 )
 #: Characters of a line that are looked at.
 _LONGEST = 400
 #: Type aliases, generic functions and classes (PEP 695).
-_NEWER = re.compile(r"\s*(?:type[ \t]+\w+.*=|(?:async[ \t]+)?def[ \t]+\w+\[|class[ \t]+\w+\[)")
+_NEWER = regex(r"\s*(?:type[ \t]+\w+.*=|(?:async[ \t]+)?def[ \t]+\w+\[|class[ \t]+\w+\[)")
 
 #: A line that ends inside the braces of an f-string, which Python 3.12 takes (PEP 701).
-_OPEN_BRACES = re.compile(
+_OPEN_BRACES = regex(
     r"(?:^|(?<=[^\w'\"]))[rR]?[fF][rR]?(['\"])(?!\1)(?:(?!\1)[^\n{]|\{\{|\{[^\n{}]{0,200}\})*\{(?!\{)[^\n}]{0,200}$"
 )
 

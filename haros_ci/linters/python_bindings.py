@@ -4,14 +4,15 @@
 from __future__ import annotations
 
 import ast
-import re
 from collections.abc import Iterable
+
+from haros_ci.regex import regex
 
 #: Modules whose ``raises`` and ``assertRaises`` fail unless what they call raises (docs.pytest.org, numpy.org, nose, testtools).
 _OF_TESTS = frozenset({"pytest", "_pytest.python_api", "nose.tools", "numpy.testing", "testtools", "unittest", "numpy"})
-_RAISES = re.compile(r"raises|assert_?[Rr]aises\w*")
-_METHOD = re.compile(r"assert_?[Rr]aises\w*")
-_OF_VERSIONS = re.compile(r"version_info|hexversion|PY[23]|python_version\w*")
+_RAISES = regex(r"raises|assert_?[Rr]aises\w*")
+_METHOD = regex(r"assert_?[Rr]aises\w*")
+_OF_VERSIONS = regex(r"version_info|hexversion|PY[23]|python_version\w*")
 
 
 def is_bound(nodes: Iterable[ast.AST], names: frozenset[str]) -> bool:

@@ -4,11 +4,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
 
 from haros_ci.linters.linter import Linter, LintOptions, Program
 from haros_ci.linters.work import Work
 from haros_ci.model.workspace import Workspace
+from haros_ci.records import dataclass
 from haros_ci.results.result import Run
 
 #: A sentence, and the paths that it leaves without an answer.

@@ -8,7 +8,6 @@ tests in ``#if``. What looks like a call (RCLCPP_INFO) needs no definition; with
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable
 
 from haros_ci.linters import macro_scan
@@ -16,6 +15,7 @@ from haros_ci.linters.compiler_macros import predefined
 from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Store, Workspace
 from haros_ci.own_sources import OF_LINTERS, digest
+from haros_ci.regex import regex
 
 #: Function-like macros that stand where a declaration or a statement does.
 DECLARATIONS = """
@@ -211,7 +211,7 @@ GLIB_CHECK_VERSION GST_CHECK_VERSION GTK_CHECK_VERSION
 VERSION_NUMBERS = "AV_VERSION_INT KERNEL_VERSION PCL_VERSION_CALC QT_VERSION_CHECK VTK_VERSION_CHECK".split()
 
 
-_MARK = re.compile(r"!?[dr]:[A-Z][A-Z0-9_]*")
+_MARK = regex(r"!?[dr]:[A-Z][A-Z0-9_]*")
 
 
 def macro_marks(workspace: Workspace, files: Iterable[SourceFile], store: Store) -> tuple[str, ...]:

@@ -4,12 +4,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterator
-from dataclasses import dataclass
 from sys import float_info
 from typing import Any
 
 from haros_ci.linters.linter import GaveUp
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass
 from haros_ci.results.result import Related, Result
 from haros_ci.results.rule import Level
 

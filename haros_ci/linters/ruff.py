@@ -17,6 +17,7 @@ from haros_ci.linters.python_defaults import is_only_read
 from haros_ci.model.location import Location
 from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Problem, Store, Workspace
+from haros_ci.regex import regex
 from haros_ci.results.result import Result
 from haros_ci.results.rule import Level
 
@@ -27,7 +28,7 @@ COST = 0.1
 
 MARKS = {".ruff.toml": (), "ruff.toml": (), "pyproject.toml": ("[tool.ruff",)}
 SYNTAX = "invalid-syntax"
-_REDEFINED = re.compile(r"Redefinition of unused `(\w+)`")
+_REDEFINED = regex(r"Redefinition of unused `(\w+)`")
 #: What a package of interfaces holds; to import it is to load it.
 _SUBMODULES = ("msg", "srv", "action")
 
@@ -80,7 +81,7 @@ def command(program: Program, batch: Batch) -> Command:
 
 #: What ruff makes of ``except A, e:``, which Python 3.14 has again for two exceptions.
 OF_EXCEPT = ("B025", "B029", "B030")
-_BOUND = re.compile(r"[ \t]*except[ \t]+(?:\([^()]*\)|[\w.]+)[ \t]*,[ \t]*[a-z_]\w*[ \t]*:")
+_BOUND = regex(r"[ \t]*except[ \t]+(?:\([^()]*\)|[\w.]+)[ \t]*,[ \t]*[a-z_]\w*[ \t]*:")
 _LONGEST = 400
 
 

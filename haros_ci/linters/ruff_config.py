@@ -10,13 +10,13 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
 from pathlib import Path
 from posixpath import basename, dirname, join, normpath
 from typing import Any
 
 from haros_ci.linters import settings_files
 from haros_ci.model.workspace import Problem, Workspace
+from haros_ci.records import dataclass
 
 #: Top-level keys that are not passed on: what leads to other files, writes, changes files or the output, or stops other versions.
 LEFT_OUT = frozenset(

@@ -3,11 +3,11 @@
 
 from __future__ import annotations
 
-import re
 from collections import defaultdict
 from collections.abc import Callable, Iterable
 from dataclasses import replace
 
+from haros_ci.regex import regex
 from haros_ci.results.own import TOOL as OURS
 from haros_ci.results.result import Related, Result
 
@@ -50,8 +50,8 @@ _INCLUDE_PATH = "UNINSTALLED_INCLUDE_PATH"
 _OF_TARGET = ("UNINSTALLED_EXPORT_LIB", "UNINSTALLED_TARGET", "UNINSTALLED_DEPEND")
 #: Those that say of a script, by its path in the package, why it does not start; ours gives the path from the root.
 _OF_SCRIPT = ("SCRIPT_NOT_EXECUTABLE", "MISSING_SHEBANG")
-_QUOTED = re.compile(r"'([^']+)'")
-_WORD = re.compile(r"[\w.+/-]*\w")
+_QUOTED = regex(r"'([^']+)'")
+_WORD = regex(r"[\w.+/-]*\w")
 
 
 def said_once(results: Iterable[Result], package_of: Callable[[str], str | None]) -> tuple[Result, ...]:

@@ -14,9 +14,10 @@ import struct
 import sys
 import threading
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
 from functools import lru_cache
 from typing import TypeVar
+
+from haros_ci.records import dataclass
 
 T = TypeVar("T")
 

@@ -20,6 +20,7 @@ from haros_ci.linters.spelled_conditions import odd_conditions, odd_lines
 from haros_ci.linters.version_conditions import version_conditions
 from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Workspace
+from haros_ci.regex import regex
 from haros_ci.results.code_alone import without_comments
 from haros_ci.results.result import Notification
 from haros_ci.results.rule import Level
@@ -28,33 +29,33 @@ from haros_ci.results.rule import Level
 MOST_FILES = 20
 _QUOTED = 80
 _LONGEST = 20_000
-_COMPUTED = re.compile(r"^[ \t]*(?:#|%:)[ \t]*(?:include(?:_next)?|import)[ \t]*([A-Za-z_]\w*[^\n]*)", re.M)
-_DEFINED = re.compile(r"^[ \t]*(?:#|%:)[ \t]*define[ \t]+([A-Za-z_]\w*)(\([^()\n]*\))?([^\n]*)", re.M)
+_COMPUTED = regex(r"^[ \t]*(?:#|%:)[ \t]*(?:include(?:_next)?|import)[ \t]*([A-Za-z_]\w*[^\n]*)", re.M)
+_DEFINED = regex(r"^[ \t]*(?:#|%:)[ \t]*define[ \t]+([A-Za-z_]\w*)(\([^()\n]*\))?([^\n]*)", re.M)
 #: A condition on a name, and the one directive that may stand under it alone: that which defines the name, or takes it back.
-_TESTED = re.compile(
+_TESTED = regex(
     r"^[ \t]*(?:#|%:)[ \t]*(?:ifn?def[ \t]+|(?:el)?if\b[^\n]{0,200}?\bdefined\b[ \t(]*)([A-Za-z_]\w*)[^\n]*\n"
     r"(?P<own>(?:[ \t]*(?://[^\n]*)?\n)*[ \t]*(?:#|%:)[ \t]*(?:define|undef)[ \t]+\1\b[^\n]*\n(?:[ \t]*(?://[^\n]*)?\n)*[ \t]*(?:#|%:)[ \t]*endif\b)?",
     re.M,
 )
 #: A comment whose end is written over two lines; a line that goes on behind other white space than blanks, or by a trigraph; what is taken for an assembler's.
-_OVER_LINES = re.compile(r"\*(?:(?:\\|\?\?/)[ \t\f\v]*\r?\n[ \t\f\v]*)+/")
+_OVER_LINES = regex(r"\*(?:(?:\\|\?\?/)[ \t\f\v]*\r?\n[ \t\f\v]*)+/")
 #: One that begins so; texts and other comments are passed over.
-_OVER_BEGIN = re.compile(r"/(?:(?:\\|\?\?/)[ \t]*\r?\n)+[/*]")
-_BEGINS = re.compile(
+_OVER_BEGIN = regex(r"/(?:(?:\\|\?\?/)[ \t]*\r?\n)+[/*]")
+_BEGINS = regex(
     r"\"(?:[^\"\\\n]|\\[\s\S])*\"|'(?:[^'\\\n]|\\[^\n]){1,12}'|//(?:[^\n\\]|\\[ \t]*\r?\n|\\)*|/\*(?:[^*]|\*(?!/))*(?:\*/|\Z)"
     rf"|({_OVER_BEGIN.pattern})"
 )
-_ODD_SPLICE = re.compile(r"(?:\\|\?\?/)[ \t]*[\f\v][ \t\f\v]*\r?\n")
-_TRIGRAPH_SPLICE = re.compile(r"\?\?/[ \t]*\r?\n")
-_TRIGRAPH = re.compile(r"\?\?[=/'()!<>-]")
-_ASSEMBLER = re.compile(r"(?<!\w)(?:_asm\b|__asm\s*\{)")
+_ODD_SPLICE = regex(r"(?:\\|\?\?/)[ \t]*[\f\v][ \t\f\v]*\r?\n")
+_TRIGRAPH_SPLICE = regex(r"\?\?/[ \t]*\r?\n")
+_TRIGRAPH = regex(r"\?\?[=/'()!<>-]")
+_ASSEMBLER = regex(r"(?<!\w)(?:_asm\b|__asm\s*\{)")
 #: Pragmas that change warnings, speed, threads and layouts; all others may change what a word stands for, or what is read (GCC, "Pragmas").
-_PRAGMA = re.compile(
+_PRAGMA = regex(
     r"^[ \t]*(?:#|%:)[ \t]*pragma\b([^\n]*)|(?<!\w)(?:_Pragma|__pragma)\s*\(\s*(?:L?\"((?:[^\"\\\n]|\\.)*)\"|([^\n]{0,200}))",
     re.M,
 )
-_ANY_MACRO = re.compile(r"\b(?:push|pop)_macro\b")
-_USUAL_PRAGMA = re.compile(
+_ANY_MACRO = regex(r"\b(?:push|pop)_macro\b")
+_USUAL_PRAGMA = regex(
     r"\s*(?:once|(?:GCC|clang|gcc)\s+(?:diagnostic|system_header|visibility|optimize|target|ivdep|unroll|push_options|pop_options|reset_options|warning|error|loop|fp|attribute)\b"
     r"|(?:omp|acc|warning|pack|region|endregion|unroll|nounroll|message|STDC|ident|comment|simd|ivdep|vector|novector|loop_count|prefetch|HLS|hls|hd_warning_disable|nv_\w+|diag_\w+"
     r"|intel|optimize|float_control|fenv_access|fp_contract|mark|NOLINT\w*|nvtx|vtordisp|deprecated|inline_depth|inline_recursion|auto_inline|check_stack|hdrstop|managed|unmanaged|error|always_inline"
@@ -64,27 +65,27 @@ _USUAL_PRAGMA = re.compile(
 #: Without one of these, and a directive, nothing of this is in a text.
 _WORDS_OF_NAMES = ("ragma", "asm", "attribute", "[[")
 #: The number of a line that a directive sets, which tools are not given.
-_LINE = re.compile(r"^[ \t]*(?:#|%:)[ \t]*(?:line[ \t]+)?\d", re.M)
+_LINE = regex(r"^[ \t]*(?:#|%:)[ \t]*(?:line[ \t]+)?\d", re.M)
 #: Words that are there if a macro has more arguments: cppcheck counts one that is empty when it is expanded ([cpp.subst]). A comma alone is usual.
-_OPTIONAL = re.compile(r"\b__VA_OPT__\s*\((?!\s*(?:,\s*)?\))")
+_OPTIONAL = regex(r"\b__VA_OPT__\s*\((?!\s*(?:,\s*)?\))")
 #: A parameter that is called as a directive, and is made a text: in copies that tools get that is none (:mod:`inclusions`).
-_MADE_TEXT = re.compile(
+_MADE_TEXT = regex(
     r"^[ \t]*(?:#|%:)[ \t]*define[ \t]+\w+\([^()\n]{0,400}?\b(include|include_next|import|embed|pragma)\b[^()\n]{0,400}\)[^\n]{0,2000}?(?:#|%:)[ \t]*\1\b",
     re.M,
 )
-_CALL = re.compile(r"\b([A-Z]\w{3,80})[ \t]*\(")
-_TOKEN = re.compile(r"\"(?:[^\"\\\n]|\\.)*\"|'(?:[^'\\\n]|\\.){1,12}'|[(){};]")
+_CALL = regex(r"\b([A-Z]\w{3,80})[ \t]*\(")
+_TOKEN = regex(r"\"(?:[^\"\\\n]|\\.)*\"|'(?:[^'\\\n]|\\.){1,12}'|[(){};]")
 #: What a decoration can mean without being code: attributes, words, other macros.
-_WORDS = re.compile(
+_WORDS = regex(
     r"(?:\s|\w|\"C\"|\[\[[^\[\]{};]{0,200}\]\]|(?:__attribute__|__attribute|__declspec)\s*\((?:[^(){};]|\((?:[^(){};]|\([^(){};]{0,200}\)){0,200}\)){0,400}\)|__pragma\s*\([^{};]{0,200}\))*"
 )
-_SPELLED = re.compile(rf"\b(?:{'|'.join(sorted(SPELLED))})\b")
+_SPELLED = regex(rf"\b(?:{'|'.join(sorted(SPELLED))})\b")
 #: Macros that cppcheck is given without a meaning, those with arguments and all; and all that it is given whatever the code says.
 _WITH_ARGUMENTS = frozenset(name.partition("(")[0] for name in ros_macros.empty() if name.endswith("(...)"))
 _EMPTY = frozenset(name.partition("(")[0] for name in ros_macros.empty())
 _GIVEN = ros_macros.stand_ins()
 #: A name that may be a decoration or a registration by its form, and is no guard.
-_LIKE_ONE = re.compile(r"(?!\w*(?:_H|_HPP|_HH|_HXX|_INCLUDED|_VERSION\w*)_*\Z)[A-Z][A-Z0-9]*_[A-Z0-9_]*[A-Z0-9]")
+_LIKE_ONE = regex(r"(?!\w*(?:_H|_HPP|_HH|_HXX|_INCLUDED|_VERSION\w*)_*\Z)[A-Z][A-Z0-9]*_[A-Z0-9_]*[A-Z0-9]")
 
 
 def notifications(head: Workspace, base: Workspace | None) -> tuple[Notification, ...]:

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field
 from posixpath import dirname, join
 
 from haros_ci.linters import settings_files
@@ -12,6 +11,7 @@ from haros_ci.linters.silencing import SETTINGS, SilencingRow
 from haros_ci.linters.switches import Keys, Switches, turned_off
 from haros_ci.linters.tool_switches import KEYS
 from haros_ci.model.workspace import Problem, Workspace
+from haros_ci.records import dataclass, field
 from haros_ci.results.result import Notification
 from haros_ci.results.rule import Level
 

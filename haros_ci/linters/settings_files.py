@@ -8,7 +8,6 @@ file of its own and names that one to the tool.
 from __future__ import annotations
 
 import json
-import re
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from fnmatch import fnmatch
 from posixpath import dirname, join, relpath
@@ -16,6 +15,7 @@ from typing import Any
 
 from haros_ci.linters.linter import Unit
 from haros_ci.model.workspace import Workspace
+from haros_ci.regex import regex
 
 #: File names in the order in which they win, each with the texts one of which a file with settings holds; none: any content.
 Marks = Mapping[str, tuple[str, ...]]
@@ -27,8 +27,8 @@ INI_FILES = frozenset(
 #: Options that the sections of an INI file may get from its ``[DEFAULT]``, all together.
 MAX_INHERITED = 100_000
 #: The standard library's parsers take quadratic time for these: a run of spaces in INI, a key of many parts in TOML.
-_LONG_SPACE = re.compile(r"[^\S\r\n]{50,}")
-_LONG_KEY = re.compile(r"""(?<![\w-])(?:(?:[\w-]+|"[^"\n]*"|'[^'\n]*')[ \t]*\.[ \t]*){40}""")
+_LONG_SPACE = regex(r"[^\S\r\n]{50,}")
+_LONG_KEY = regex(r"""(?<![\w-])(?:(?:[\w-]+|"[^"\n]*"|'[^'\n]*')[ \t]*\.[ \t]*){40}""")
 
 
 def nearest(workspace: Workspace, directory: str, marks: Marks) -> str | None:

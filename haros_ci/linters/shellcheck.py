@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import json
-import re
 from collections.abc import Iterable, Iterator
 from posixpath import basename, dirname
 
@@ -13,6 +12,7 @@ from haros_ci.linters.linter import Batch, Command, Finding, GaveUp, LintOptions
 from haros_ci.model.location import Location
 from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Store, Workspace
+from haros_ci.regex import regex
 from haros_ci.results.result import Result
 from haros_ci.results.rule import Level
 
@@ -23,11 +23,9 @@ COST = 60.0
 
 MARKS: settings_files.Marks = {".shellcheckrc": (), "shellcheckrc": ()}
 #: ``external-sources`` and ``source-path`` would have it read further files.
-INERT = re.compile(r"[ \t]*(?:disable|enable|shell|extended-analysis)=[\w,.:-]+[ \t]*(?:#.*)?")
+INERT = regex(r"[ \t]*(?:disable|enable|shell|extended-analysis)=[\w,.:-]+[ \t]*(?:#.*)?")
 #: Shells that ShellCheck does not know, by their shebang.
-_OTHER_SHELL = re.compile(
-    r"#![ \t]*(?:\S*/env[ \t]+(?:-\S+[ \t]+)*)?(?:\S*/)?(?:zsh|fish|csh|tcsh|nu|pwsh|xonsh)(?:\s|$)"
-)
+_OTHER_SHELL = regex(r"#![ \t]*(?:\S*/env[ \t]+(?:-\S+[ \t]+)*)?(?:\S*/)?(?:zsh|fish|csh|tcsh|nu|pwsh|xonsh)(?:\s|$)")
 LEVELS = {"error": Level.ERROR, "warning": Level.WARNING}
 
 

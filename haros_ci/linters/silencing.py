@@ -7,7 +7,6 @@ docs/silencing.md has the same rows (tests/linters/test_silencing.py compares th
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass, field
 from enum import Enum
 
 from haros_ci.linters import (
@@ -35,6 +34,7 @@ from haros_ci.linters.settings_files import Marks
 from haros_ci.linters.silenced_by_change import CHANGE, FIRST_LOOK, LEFT_TO_PIP
 from haros_ci.linters.switches import Switches
 from haros_ci.model.workspace import Workspace
+from haros_ci.records import dataclass, field
 
 OWN = "haros-ci"
 _HERE = "tests/hostile/test_hostile_silencing.py"

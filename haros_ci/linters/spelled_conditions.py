@@ -12,39 +12,40 @@ import re
 from collections.abc import Iterator
 
 from haros_ci.linters.version_conditions import chains, has_code
+from haros_ci.regex import regex
 
 #: A line that goes on in the next ones, to its end: no part of it can be read in two ways.
 _REST = r"(?:[^\n\\]|\\[ \t]*\n|\\)*"
 _SPLICE = r"(?:\\[ \t]*\n)*"
-_DIGRAPH = re.compile(rf"(?:^|\*/)[ \t\f\v]*(%){_SPLICE}(:)", re.M)
-_DEFINITION = re.compile(rf"(?:#|%:)[ \t]*define\b{_REST}")
-_HASH_OR_TEXT = re.compile(r"\"(?:[^\"\\\n]|\\[^\n])*\"|'(?:[^'\\\n]|\\[^\n]){1,12}'|%:")
-_GOES_ON = re.compile(r"\\[ \t]*\r?\n")
+_DIGRAPH = regex(rf"(?:^|\*/)[ \t\f\v]*(%){_SPLICE}(:)", re.M)
+_DEFINITION = regex(rf"(?:#|%:)[ \t]*define\b{_REST}")
+_HASH_OR_TEXT = regex(r"\"(?:[^\"\\\n]|\\[^\n])*\"|'(?:[^'\\\n]|\\[^\n]){1,12}'|%:")
+_GOES_ON = regex(r"\\[ \t]*\r?\n")
 #: Of its words cppcheck takes those of the first line alone.
-_WARNING = re.compile(rf"(?:#|%:)[ \t]*warning\b({_REST})")
-_WORDS = re.compile(r"[^\s\\]|\\(?![ \t]*\r?\n)")
-_CONDITION = re.compile(rf"(?:#|%:)[ \t]*(?:el)?if\b({_REST})")
-_WORD = re.compile(
+_WARNING = regex(rf"(?:#|%:)[ \t]*warning\b({_REST})")
+_WORDS = regex(r"[^\s\\]|\\(?![ \t]*\r?\n)")
+_CONDITION = regex(rf"(?:#|%:)[ \t]*(?:el)?if\b({_REST})")
+_WORD = regex(
     r"'(?:[^'\\\n]|\\[^\n]){1,12}'"
     r"|(?<![\w'.])(?P<number>0[bB][01]{1,64}(?:'[01]{1,64}){0,64}|\d[\da-fA-FxX]{0,40}(?:'[\da-fA-F]{1,40}){1,40})(?P<suffix>[uUlLzZ]{0,3})(?![\w'.])"
     r"|\btrue\b"
 )
 #: GCC has these names where CMake leaves its own additions to the language on, as it does by default.
-_SYSTEM = re.compile(r"\bdefined[ \t]*(?:\([ \t]*(?:linux|unix)[ \t]*\)|[ \t](?:linux|unix)\b)")
-_IF_SYSTEM = re.compile(r"(?:#|%:)[ \t]*(?:el)?(if(n?)def[ \t]+(?:linux|unix)\b)")
-_OWN_SYSTEM = re.compile(r"(?:define|undef)[ \t]+(?:linux|unix)\b")
-_TWICE = re.compile(r"!([ \t]*)!")
-_MORE_THAN_TRUTH = re.compile(r"[-=<>+*/%^~?,]|(?<!&)&(?!&)|(?<!\|)\|(?!\|)")
+_SYSTEM = regex(r"\bdefined[ \t]*(?:\([ \t]*(?:linux|unix)[ \t]*\)|[ \t](?:linux|unix)\b)")
+_IF_SYSTEM = regex(r"(?:#|%:)[ \t]*(?:el)?(if(n?)def[ \t]+(?:linux|unix)\b)")
+_OWN_SYSTEM = regex(r"(?:define|undef)[ \t]+(?:linux|unix)\b")
+_TWICE = regex(r"!([ \t]*)!")
+_MORE_THAN_TRUTH = regex(r"[-=<>+*/%^~?,]|(?<!&)&(?!&)|(?<!\|)\|(?!\|)")
 
 #: In what a macro stands for such a word takes the next line with it; and what is a raw text only where lines are not joined.
-_SAID = re.compile(r"(?:#|%:)[ \t]*(?:warning|error)\b[^\n]*\\[ \t]*\r?\n")
-_RAW = re.compile(r"[\w.'](?:\\[ \t]*\r?\n)+(?:u8|[uUL])?R\"")
-_SIGNS = re.compile(r"[-+!~][ \t]*[-+!~](?!=)")
-_UNSIGNED = re.compile(r"\b\d[\da-fA-FxX']{0,40}[lL]{0,2}[uU][lLzZ]{0,2}\b")
-_ARITHMETIC = re.compile(r"[-+*~]")
-_CALL = re.compile(r"\b\w+[ \t]*\([^()]*\)")
+_SAID = regex(r"(?:#|%:)[ \t]*(?:warning|error)\b[^\n]*\\[ \t]*\r?\n")
+_RAW = regex(r"[\w.'](?:\\[ \t]*\r?\n)+(?:u8|[uUL])?R\"")
+_SIGNS = regex(r"[-+!~][ \t]*[-+!~](?!=)")
+_UNSIGNED = regex(r"\b\d[\da-fA-FxX']{0,40}[lL]{0,2}[uU][lLzZ]{0,2}\b")
+_ARITHMETIC = regex(r"[-+*~]")
+_CALL = regex(r"\b\w+[ \t]*\([^()]*\)")
 _DEEPEST = 8
-_HAS = re.compile(r"\b__has_(?!include(?:_next)?[ \t]*\([ \t]*\")\w+")
+_HAS = regex(r"\b__has_(?!include(?:_next)?[ \t]*\([ \t]*\")\w+")
 
 
 def spelled(text: str) -> str:

@@ -4,9 +4,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, field
 
 from haros_ci.linters import settings_files
+from haros_ci.records import dataclass, field
 
 #: Characters of a word of a settings file that are shown.
 LONGEST_WORD = 60

@@ -4,13 +4,13 @@
 from __future__ import annotations
 
 import json
-import re
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, field
 
 from haros_ci.linters.tool_xml import elements
 from haros_ci.model.declared_tool import DeclaredTool
 from haros_ci.model.digits import whole_number
+from haros_ci.records import dataclass, field
+from haros_ci.regex import regex
 from haros_ci.results.linear_regex import compiled
 
 MAX_LINE = 4_000  # characters of a line that are looked at
@@ -21,18 +21,16 @@ MAX_NUMBER = 1_000_000_000
 MAX_CONTAINERS, MAX_COMMAS = 2_000_000, 5_000_000
 
 #: What terminals obey: colours and cursors (ECMA-48 control sequences), titles and links (OSC).
-_ESCAPES = re.compile(
-    "\x1b\\[[0-?]{0,30}[ -/]{0,10}[@-~]|\x1b\\][^\x07\x1b\n]{0,2000}(?:\x07|\x1b\\\\)|\x1b[@-Z\\\\-_]"
-)
-_CONTROLS = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f\u200e\u200f\u202a-\u202e\u2066-\u2069]")
-_GCC = re.compile(r"(?P<path>[^:]{1,1000}):(?P<line>\d{1,9}):(?:(?P<column>\d{1,9}):)?")
-_WORD = re.compile(r" ?([\w ]{1,30}): ")
+_ESCAPES = regex("\x1b\\[[0-?]{0,30}[ -/]{0,10}[@-~]|\x1b\\][^\x07\x1b\n]{0,2000}(?:\x07|\x1b\\\\)|\x1b[@-Z\\\\-_]")
+_CONTROLS = regex("[\x00-\x08\x0b-\x1f\x7f-\x9f\u200e\u200f\u202a-\u202e\u2066-\u2069]")
+_GCC = regex(r"(?P<path>[^:]{1,1000}):(?P<line>\d{1,9}):(?:(?P<column>\d{1,9}):)?")
+_WORD = regex(r" ?([\w ]{1,30}): ")
 #: Words for levels that are known without ``levels``.
 WORDS = frozenset(
     "error fatal critical severe warning warn note info information hint remark style performance portability"
     " convention refactor major minor".split()
 ) | {"fatal error"}
-_GCC_RULE = re.compile(r"[^\s\[\]][^\[\]]{0,199}")
+_GCC_RULE = regex(r"[^\s\[\]][^\[\]]{0,199}")
 
 
 @dataclass(slots=True)

@@ -3,11 +3,11 @@
 
 from __future__ import annotations
 
-import re
-from dataclasses import dataclass, field
+from haros_ci.records import dataclass, field
+from haros_ci.regex import regex
 
 #: Characters that XML 1.0 does not allow (§2.2), which a tool may copy from a source; decoding leaves no surrogates.
-_FORBIDDEN = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\ufffe\uffff]")
+_FORBIDDEN = regex("[\x00-\x08\x0b\x0c\x0e-\x1f\ufffe\uffff]")
 
 
 @dataclass(slots=True)

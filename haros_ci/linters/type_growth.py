@@ -3,24 +3,24 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Iterator, Mapping
 from itertools import islice
 
 from haros_ci.linters.linter import Unit
 from haros_ci.model.workspace import Workspace
+from haros_ci.regex import regex
 
 #: Tokens of one type above which cppcheck is not asked: it takes four seconds for so many.
 MOST_TOKENS = 12_000
 LARGE_TYPE = f"its types are made of more than {MOST_TOKENS:,} tokens"
 
-_TYPEDEF = re.compile(r"\btypedef\b")
-_TOKEN = re.compile(r"[A-Za-z_]\w*|\d[\w.]*|[^\s\w]")
-_POINTED = re.compile(r"[(*&\s](?:\w+\s*::\s*)?[*&]+\s*(?:const\s+)?([A-Za-z_]\w*)\s*\)\s*[\[(]")
-_NAME = re.compile(r"([A-Za-z_]\w*)\s*(?:\[[^\]]*\]\s*|\([^()]*\)\s*)*\Z")
+_TYPEDEF = regex(r"\btypedef\b")
+_TOKEN = regex(r"[A-Za-z_]\w*|\d[\w.]*|[^\s\w]")
+_POINTED = regex(r"[(*&\s](?:\w+\s*::\s*)?[*&]+\s*(?:const\s+)?([A-Za-z_]\w*)\s*\)\s*[\[(]")
+_NAME = regex(r"([A-Za-z_]\w*)\s*(?:\[[^\]]*\]\s*|\([^()]*\)\s*)*\Z")
 #: Tokens and characters of one definition that are read.
 _LONGEST, _MOST = 2_000, 8_000
-_MACRO = re.compile(r"[A-Z][A-Z0-9_]*")
+_MACRO = regex(r"[A-Z][A-Z0-9_]*")
 
 
 def typedefs(text: str) -> Iterator[tuple[str, tuple[str, ...]]]:

@@ -10,7 +10,7 @@ from __future__ import annotations
 import hashlib
 import re
 from collections.abc import Collection, Iterable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any, cast
 
 from haros_ci.linters.linter import REFUTED, SILENCED, Linter, LintOptions, Unit
@@ -19,31 +19,33 @@ from haros_ci.linters.run import lint
 from haros_ci.linters.work import is_asked_for, units_of
 from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Reader, Store, Workspace
+from haros_ci.records import dataclass
+from haros_ci.regex import regex
 from haros_ci.results.comments import comments, lines_of, syntax
 from haros_ci.results.result import Result, Run
 from haros_ci.results.silencers import FORMS, Form, joined
 
 #: By tool the words without which no comment of a text silences it; a tool that is not here has none that hides a defect, or tells what it silences.
 _WORDS: dict[str, re.Pattern[str]] = {
-    "cppcheck": re.compile("cppcheck-suppress"),
-    "clang-tidy": re.compile("NOLINT"),
-    "cpplint": re.compile("NOLINT|LINT_C_FILE|LINT_KERNEL_FILE"),
-    "pylint": re.compile(r"pylint:[^\n]*\b(?:skip-file|all)\b"),
-    **dict.fromkeys(("ruff", "flake8", "vulture"), re.compile(r"noqa", re.IGNORECASE)),
-    "mypy": re.compile(r"#\s*(?:type:\s*ignore|mypy:)"),
-    "bandit": re.compile(r"nosec", re.IGNORECASE),
-    "shellcheck": re.compile(r"shellcheck\s"),
-    "yamllint": re.compile(r"yamllint\s"),
-    "hadolint": re.compile(r"hadolint\s"),
-    "flawfinder": re.compile(r"(?i)flawfinder|rats:|its4:"),
+    "cppcheck": regex("cppcheck-suppress"),
+    "clang-tidy": regex("NOLINT"),
+    "cpplint": regex("NOLINT|LINT_C_FILE|LINT_KERNEL_FILE"),
+    "pylint": regex(r"pylint:[^\n]*\b(?:skip-file|all)\b"),
+    **dict.fromkeys(("ruff", "flake8", "vulture"), regex(r"noqa", re.IGNORECASE)),
+    "mypy": regex(r"#\s*(?:type:\s*ignore|mypy:)"),
+    "bandit": regex(r"nosec", re.IGNORECASE),
+    "shellcheck": regex(r"shellcheck\s"),
+    "yamllint": regex(r"yamllint\s"),
+    "hadolint": regex(r"hadolint\s"),
+    "flawfinder": regex(r"(?i)flawfinder|rats:|its4:"),
 }
-_LETTERS = re.compile(r"[A-Za-z0-9_]")
+_LETTERS = regex(r"[A-Za-z0-9_]")
 #: The rules that a comment names, behind the words that make it one.
-_MEANT = re.compile(
+_MEANT = regex(
     r"(?:cppcheck-suppress(?:-\w+)?|NOLINT\w*|noqa|disable|ignore|nosec)(?:[\s:=(]*\[([^\]]*)|[\s:=(\[]*([^#;)\]\n]*))",
     re.IGNORECASE,
 )
-_RULE = re.compile(r"[A-Za-z*][\w./+*-]*")
+_RULE = regex(r"[A-Za-z*][\w./+*-]*")
 
 
 @dataclass(frozen=True, slots=True)

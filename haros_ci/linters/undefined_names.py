@@ -14,6 +14,7 @@ from haros_ci.linters.doubting import Doubting
 from haros_ci.linters.given_names import is_given as is_given_by_tool
 from haros_ci.linters.pylint_idioms import nodes
 from haros_ci.linters.python_bindings import asks_for_version, is_bound
+from haros_ci.regex import regex
 from haros_ci.results.code_alone import code_alone
 from haros_ci.results.result import Result
 from haros_ci.results.rule import Level
@@ -26,27 +27,25 @@ OF_PYTHON_2 = frozenset(
 )
 #: Names that others put among the built-in ones: the compiler of a class, IPython, mypy, Windows.
 _BROUGHT = frozenset("__class__ __path__ __IPYTHON__ get_ipython reveal_type WindowsError".split())
-_GETTEXT, _INSTALLED = re.compile(r"\bgettext\b"), re.compile(r"\.install[ \t]*\(|\bbuiltins\b")
+_GETTEXT, _INSTALLED = regex(r"\bgettext\b"), regex(r"\.install[ \t]*\(|\bbuiltins\b")
 #: Those of gettext.install, which some file of the workspace calls, and of line_profiler, which is a decorator.
 _OF_GETTEXT, _PROFILE = frozenset(("_", "ngettext")), "profile"
-_PYTHON_3 = re.compile(r"#![^\n]{0,200}\bpython3")
-_QUOTED = re.compile(r"['\"`](\w+)['\"`]")
-_ASKS_FOR_VERSION = re.compile(r"\bversion_info\b|\bPY[23]\b|\bpython_version|\bexcept[ \t(]+[^\n:]{0,80}\bNameError\b")
+_PYTHON_3 = regex(r"#![^\n]{0,200}\bpython3")
+_QUOTED = regex(r"['\"`](\w+)['\"`]")
+_ASKS_FOR_VERSION = regex(r"\bversion_info\b|\bPY[23]\b|\bpython_version|\bexcept[ \t(]+[^\n:]{0,80}\bNameError\b")
 #: What makes names that no reader of the text can know.
-_MAKES_NAMES = re.compile(
-    r"\b(?:globals|vars|locals)\(\)[ \t]*(?:\[|\.(?:update|setdefault)\b)|(?<![\w.])exec(?:file)?\("
-)
+_MAKES_NAMES = regex(r"\b(?:globals|vars|locals)\(\)[ \t]*(?:\[|\.(?:update|setdefault)\b)|(?<![\w.])exec(?:file)?\(")
 
 #: What ends the program, and what makes another thing of the name.
-_EXIT = re.compile(r"^[ \t]*(?:exit|quit|sys\.exit|os\._exit)[ \t]*\(", re.MULTILINE)
+_EXIT = regex(r"^[ \t]*(?:exit|quit|sys\.exit|os\._exit)[ \t]*\(", re.MULTILINE)
 _ENDS = frozenset({"exit", "quit", "_exit", "sys", "os"})
 
-_LATE = re.compile(r"^from __future__ import [^\n]*\bannotations\b", re.MULTILINE)
-_ANNOTATED = re.compile(r"(?:->|[\w)\]][ \t]*:)[ \t]*[\w\[\]., |]*$")
+_LATE = regex(r"^from __future__ import [^\n]*\bannotations\b", re.MULTILINE)
+_ANNOTATED = regex(r"(?:->|[\w)\]][ \t]*:)[ \t]*[\w\[\]., |]*$")
 #: Characters of a line that are looked at before a name.
 _LONGEST = 2_000
 #: Where a colon begins no annotation.
-_STATEMENT = re.compile(
+_STATEMENT = regex(
     r"\s*(?:if|elif|else|for|while|with|try|except|finally|class|return|lambda|assert|case)\b|[^#]*[{]|[^#]*\[[^\]]*:|[^#]*\blambda\b"
 )
 

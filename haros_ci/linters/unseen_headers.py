@@ -16,15 +16,16 @@ from haros_ci.linters.includes import closure
 from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Store, Workspace
 from haros_ci.own_sources import OF_LINTERS, digest
+from haros_ci.regex import regex
 from haros_ci.results.code_alone import without_comments
 
 _GAP = r"(?:[ \t\f\v]|/\*(?:[^*\n]|\*(?!/)){0,200}\*/)*"
-_DIRECTIVE = re.compile(
+_DIRECTIVE = regex(
     rf"^{_GAP}(?:#|%:){_GAP}(if|ifdef|ifndef|elif|elifdef|elifndef|else|endif|define|include|import)\b[ \t]*([^\n]*)",
     re.MULTILINE,
 )
-_WORD = re.compile(r"[A-Za-z_]\w*")
-_NAME = re.compile(r'"([^">\n]+)|(<[^">\n]+)')
+_WORD = regex(r"[A-Za-z_]\w*")
+_NAME = regex(r'"([^">\n]+)|(<[^">\n]+)')
 
 
 class Sight(NamedTuple):

@@ -15,20 +15,21 @@ from haros_ci.linters.in_default import is_test
 from haros_ci.model.package import SourceFile
 from haros_ci.model.python_names import as_python_reads
 from haros_ci.model.workspace import Workspace
+from haros_ci.regex import regex
 from haros_ci.results.code_alone import code_alone
 from haros_ci.results.result import Notification
 from haros_ci.results.rule import Level
 
 #: Files that are named; the rest is counted.
 MOST = 10
-_INCLUDE = re.compile(r"^[ \t]*(?:#|%:)[ \t]*(?:include(?:_next)?|import)[ \t]*[\"<]([^\">\n]{1,300})", re.M)
-_IMPORT = re.compile(r"^[ \t]*(?:from[ \t]+([\w.]+)[ \t]+import[ \t]+\(?[ \t]*([\w, \t]+)|import[ \t]+([\w.]+))", re.M)
+_INCLUDE = regex(r"^[ \t]*(?:#|%:)[ \t]*(?:include(?:_next)?|import)[ \t]*[\"<]([^\">\n]{1,300})", re.M)
+_IMPORT = regex(r"^[ \t]*(?:from[ \t]+([\w.]+)[ \t]+import[ \t]+\(?[ \t]*([\w, \t]+)|import[ \t]+([\w.]+))", re.M)
 #: Commands that have sources compiled into what is no test; the name of a target tells of others.
-_COMPILES = re.compile(
+_COMPILES = regex(
     r"\b(?:add_executable|add_library|target_sources|\w*_add_executable|\w*_add_library)\s*\(([^()]{1,20000})\)", re.I
 )
-_OF_TEST = re.compile(r"test", re.I)
-_SOURCE = re.compile(r"[\w./+-]{1,200}\.(?:c|cc|cpp|cxx|c\+\+|cu)\b")
+_OF_TEST = regex(r"test", re.I)
+_SOURCE = regex(r"[\w./+-]{1,200}\.(?:c|cc|cpp|cxx|c\+\+|cu)\b")
 
 
 def notifications(head: Workspace, base: Workspace | None) -> tuple[Notification, ...]:

@@ -14,10 +14,11 @@ from typing import NamedTuple
 
 from haros_ci.linters.ros_macros import PLATFORM, TRUE_TESTS, VERSION_NUMBERS
 from haros_ci.model.preprocessor_conditions import holds
+from haros_ci.regex import regex
 
-_DIRECTIVE = re.compile(r"^[ \t]*(?:#|%:)[ \t]*(if|ifdef|ifndef|elif|elifdef|elifndef|else|endif)\b([^\n]*)", re.M)
-_TEST = re.compile(rf"\b({'|'.join((*TRUE_TESTS, *VERSION_NUMBERS))})\s*\(([^()]*)\)")
-_NUMBER = re.compile(r"\d+")
+_DIRECTIVE = regex(r"^[ \t]*(?:#|%:)[ \t]*(if|ifdef|ifndef|elif|elifdef|elifndef|else|endif)\b([^\n]*)", re.M)
+_TEST = regex(rf"\b({'|'.join((*TRUE_TESTS, *VERSION_NUMBERS))})\s*\(([^()]*)\)")
+_NUMBER = regex(r"\d+")
 #: Behind the first number of a version of these there is none; 60 for the others. (ROS 1 ended with 1.17.)
 _NEVER = {
     **{"ROS_VERSION_MINIMUM": 2, "PCL_VERSION_COMPARE": 3, "PCL_VERSION_CALC": 3, "GLIB_CHECK_VERSION": 3},
@@ -25,11 +26,11 @@ _NEVER = {
 }
 _NO_VERSION = 60
 #: The compilers of the platforms of ROS since Humble, and newer ones.
-_OF_GCC = re.compile(r"\b__GNU(?:C__|G__|C_MINOR__|C_PATCHLEVEL__)|\b__VERSION__")
+_OF_GCC = regex(r"\b__GNU(?:C__|G__|C_MINOR__|C_PATCHLEVEL__)|\b__VERSION__")
 _VERSIONS = (("11", "4", "0"), ("13", "3", "0"), ("14", "2", "0"), ("15", "1", "0"))
 #: Conditions of one text that are looked at, and branches of one.
 _MOST_CHAINS, _MOST_BRANCHES = 200, 20
-_CODE = re.compile(r"^(?![ \t]*(?:#|%:))[^\n]*[;{}]", re.M)
+_CODE = regex(r"^(?![ \t]*(?:#|%:))[^\n]*[;{}]", re.M)
 
 
 class Branch(NamedTuple):

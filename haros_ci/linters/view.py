@@ -11,7 +11,7 @@ import errno
 import os
 from bisect import bisect_left
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 
 from haros_ci.linters.inclusions import confined
@@ -19,6 +19,7 @@ from haros_ci.linters.linter import Linter
 from haros_ci.linters.spelled_conditions import spelled
 from haros_ci.linters.work import Work
 from haros_ci.model.workspace import Workspace
+from haros_ci.records import dataclass
 
 #: Files that symbolic links inside the workspace may add: a link to a directory above itself must not multiply the tree.
 MOST_BY_LINKS = 5_000

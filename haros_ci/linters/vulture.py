@@ -13,6 +13,7 @@ from haros_ci.linters.linter import Batch, Command, Finding, GaveUp, LintOptions
 from haros_ci.model.location import Location
 from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Store, Workspace
+from haros_ci.regex import regex
 from haros_ci.results.result import Result
 from haros_ci.results.rule import Level
 
@@ -35,9 +36,9 @@ CALLED = (
     " self cls args kwargs context request response goal_handle event"
 ).split()
 
-_LINE = re.compile(r"(.+):(\d+): (.+) \(\d+% confidence(?:, \d+ lines?)?\)$")
-_ENTRY = re.compile(r"=\s*[\w.]+:(\w+)")
-_UNUSED = re.compile(r"unused (\w+) '(.*)'$")
+_LINE = regex(r"(.+):(\d+): (.+) \(\d+% confidence(?:, \d+ lines?)?\)$")
+_ENTRY = regex(r"=\s*[\w.]+:(\w+)")
+_UNUSED = regex(r"unused (\w+) '(.*)'$")
 
 
 def locate(options: LintOptions) -> Program | None:

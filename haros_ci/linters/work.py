@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import hashlib
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass, field
 from typing import Protocol
 
 from haros_ci.linters import installed
@@ -13,6 +12,7 @@ from haros_ci.linters.linter import Linter, LintOptions, Program, Unit, When
 from haros_ci.linters.rows import Answer
 from haros_ci.model.workspace import Problem, Store, Workspace
 from haros_ci.own_sources import OF_LINTERS, digest
+from haros_ci.records import dataclass, field
 from haros_ci.results.result import Notification, Result, Run, Tool
 from haros_ci.results.rule import Level
 

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import os
-import re
 from collections.abc import Iterable, Iterator
 
 from haros_ci.linters import installed
@@ -12,6 +11,7 @@ from haros_ci.linters.linter import Batch, Command, Finding, GaveUp, LintOptions
 from haros_ci.model.location import Location
 from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Store, Workspace
+from haros_ci.regex import regex
 from haros_ci.results.result import Result
 from haros_ci.results.rule import Level
 
@@ -21,8 +21,8 @@ WHEN = When.ASKED
 COST = 1.0
 
 _LINK = "workspace"
-_SAID = re.compile(r"(/.+?):(\d+): (\w+) (error|warning) : (.*)")
-_UNREAD = re.compile(r'(?:warning: |I/O warning : )failed to load external entity "(/.+)"')
+_SAID = regex(r"(/.+?):(\d+): (\w+) (error|warning) : (.*)")
+_UNREAD = regex(r'(?:warning: |I/O warning : )failed to load external entity "(/.+)"')
 
 
 def locate(options: LintOptions) -> Program | None:

@@ -8,13 +8,13 @@ least; a name of no class of the workspace is no coupling.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import dataclass, field
 
 from haros_ci import syntax
 from haros_ci.code.classes import Owner, class_named, dotted_name, resolved
 from haros_ci.code.codebase import Codebase
 from haros_ci.index.index import Source
 from haros_ci.measuring.facts import ClassFacts, FileFacts, FunctionFacts
+from haros_ci.records import dataclass, field
 from haros_ci.syntax import Type
 
 NOWHERE: frozenset[str] = frozenset()

@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass, field
 
 from tree_sitter import Node
 
@@ -17,6 +16,8 @@ from haros_ci.extract.cpp.unit import DEEPEST, Unit, unit_of
 from haros_ci.measuring.cpp_body import CppBody
 from haros_ci.measuring.cpp_mentions import mentions
 from haros_ci.measuring.facts import MOST_PROBLEMS, TOO_DEEP, ClassFacts, FileFacts, FunctionFacts
+from haros_ci.records import dataclass, field
+from haros_ci.regex import regex
 
 _BODY, _NAME = field_of("body"), field_of("name")
 _CLASS = types.CLASS_KINDS
@@ -32,12 +33,12 @@ _TRAILING = kinds("trailing_return_type")
 _LOST = kinds("{ } if for while switch case else try catch compound_statement if_statement for_statement")
 #: Macros that the grammar does not know where they stand: behind the parameters of a function, and for inlining. The first begins with a bracket, which is
 #: found much faster than what would look back for one.
-_BEHIND = re.compile(
+_BEHIND = regex(
     r"\)(\s{0,40}(?:const\b\s{0,40})?\b[A-Z][A-Z0-9_]{3,80})(?=\s{0,40}(?:\{|=\s{0,9}(?:default|delete|0)\b))"
 )
-_INLINING = re.compile(r"\b[A-Z][A-Z0-9_]{0,80}INLINE\b(?=\s{1,40}[A-Za-z_~:])")
-_VISIBLE = re.compile(r"\S")
-_OPERATOR = re.compile(r"\boperator\s+(?=\W)")
+_INLINING = regex(r"\b[A-Z][A-Z0-9_]{0,80}INLINE\b(?=\s{1,40}[A-Za-z_~:])")
+_VISIBLE = regex(r"\S")
+_OPERATOR = regex(r"\boperator\s+(?=\W)")
 _ERRORS = 20
 _COMPOUND, _DECLARATION = kinds("compound_statement"), kinds("declaration")
 _MADE, _ARGUMENTS = kinds("init_declarator"), kinds("argument_list")

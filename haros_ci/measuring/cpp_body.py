@@ -7,7 +7,6 @@ nothing has one path; an expression has as many as ``&&`` and ``||`` in it, ``a 
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable
 
 from tree_sitter import Node
@@ -16,6 +15,7 @@ from haros_ci.extract.cpp import types
 from haros_ci.extract.cpp.grammar import field, kinds, onwards, table
 from haros_ci.extract.cpp.unit import Unit
 from haros_ci.measuring.facts import DEEPEST, MOST_PATHS, FunctionCounts, times
+from haros_ci.regex import regex
 
 _BODY, _FUNCTION, _FIELD, _CONDITION = field("body"), field("function"), field("field"), field("condition")
 _CONSEQUENCE, _ALTERNATIVE, _VALUE, _NAME = field("consequence"), field("alternative"), field("value"), field("name")
@@ -39,7 +39,7 @@ _NOT_CALLED = frozenset(
     "static_cast dynamic_cast const_cast reinterpret_cast typeid sizeof alignof alignas noexcept decltype defined"
     " static_assert assert va_arg va_start va_end offsetof typeof".split()
 )
-_MACRO = re.compile(r"[A-Z][A-Z0-9_]+")
+_MACRO = regex(r"[A-Z][A-Z0-9_]+")
 
 
 class CppBody:

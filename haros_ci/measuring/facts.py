@@ -3,8 +3,10 @@
 
 from __future__ import annotations
 
-from dataclasses import astuple, dataclass, field
+from dataclasses import astuple
 from typing import Any
+
+from haros_ci.records import dataclass, field
 
 #: Counts of paths stop here: nobody tests so many, and products of them would grow without end.
 MOST_PATHS = 10**9

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import partial
 
 from haros_ci.analysis.programs import programs
@@ -23,6 +23,7 @@ from haros_ci.model.measurement import Measurement
 from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Store, Workspace
 from haros_ci.own_sources import OF_MEASURES, digest
+from haros_ci.records import dataclass
 from haros_ci.results.result import Notification, Run
 from haros_ci.results.rule import Level
 from haros_ci.timing import stage

@@ -6,12 +6,12 @@ from __future__ import annotations
 import ast
 import builtins
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, field
 
 from haros_ci.extract.python.read import tree_of
 from haros_ci.extract.python.source import Source, place
 from haros_ci.measuring.facts import MOST_PROBLEMS, TOO_DEEP, ClassFacts, FileFacts, FunctionFacts
 from haros_ci.measuring.python_body import PythonBody
+from haros_ci.records import dataclass, field
 from haros_ci.syntax import Program
 
 _FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef)

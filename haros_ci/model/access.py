@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from haros_ci.records import dataclass
 
 #: The lists of ``access``, with the kinds of ends that each is about.
 VERBS = {

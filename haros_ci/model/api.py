@@ -77,9 +77,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any
+
+from haros_ci.records import dataclass
+from haros_ci.regex import regex
 
 ENTRY_KINDS = (
     "publishers",
@@ -136,8 +138,8 @@ ENTRY_KEYS = (
 #: Keys of an entry that are no templates.
 UNTOLD = ("kind", "each", "implicit", "unsure", "strict")
 #: Without ``{`` outside a selector; ``{{`` is not needed, as no ROS name has a brace.
-SELECTOR = re.compile(r"\{([^{}]*)\}")
-ALTERNATIVE = re.compile(
+SELECTOR = regex(r"\{([^{}]*)\}")
+ALTERNATIVE = regex(
     r"\d+(\.\w+)*|<\d+>|this(<\d+>|(\.\w+)+)?|item\.(name|type|default|group)|parameter|[A-Za-z_]\w*(\.\w+)*"
     r"|callback\([\w|]+(,\d+)?\)|expand\(\d+,\d+,\d+\)|(parameters|prefixes)\(\w+,\w+\)"
     r"|(typeof|typename|parent|search|searched|remap|canonical|above|declared)\([\w.|<>]+\)"

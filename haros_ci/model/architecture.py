@@ -6,7 +6,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
 from typing import Any
 
 from haros_ci.model.dependence import Dependence
@@ -16,6 +15,7 @@ from haros_ci.model.package import Package
 from haros_ci.model.presence import ALWAYS, Presence
 from haros_ci.model.rates import Pace, Rates
 from haros_ci.model.workspace import Problem
+from haros_ci.records import dataclass, field
 
 #: Kinds of endpoints, in the order in which they are listed.
 KINDS = (

@@ -4,11 +4,11 @@
 from __future__ import annotations
 
 import posixpath
-from dataclasses import dataclass, field
 from typing import Any
 
 from haros_ci.model.location import Location
 from haros_ci.model.workspace import Problem
+from haros_ci.records import dataclass, field
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

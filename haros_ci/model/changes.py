@@ -6,9 +6,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass
 
 #: What may change, in the order of reports.
 WHATS = (

@@ -6,10 +6,12 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 
+from haros_ci.regex import regex
+
 MAX_LENGTH = 1_000
 MAX_DEPTH = 20
 
-_TOKEN = re.compile(r"""\s*(?:(==|!=|<=|>=|<|>|\(|\))|\$(\w+)|"([^"]*)"|'([^']*)'|([\w-]+)|(\S))""")
+_TOKEN = regex(r"""\s*(?:(==|!=|<=|>=|<|>|\(|\))|\$(\w+)|"([^"]*)"|'([^']*)'|([\w-]+)|(\S))""")
 _COMPARE = {
     "==": lambda a, b: a == b,
     "!=": lambda a, b: a != b,

@@ -4,7 +4,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+
+from haros_ci.records import dataclass
 
 #: What a file is for: the product, or tests and examples, which are counted separately.
 PRODUCTION, TEST, EXAMPLE = AREAS = ("production", "test", "example")

@@ -3,9 +3,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from haros_ci.model import globs
+from haros_ci.records import dataclass
 
 #: What stands for the files of a batch (a whole argument), for one file, and for the workspace root (anywhere in an argument).
 FILES, FILE, ROOT = "{files}", "{file}", "{root}"

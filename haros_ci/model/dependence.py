@@ -3,9 +3,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass
 
 #: How an input leads to an output: its callback sends it, its callback changes what decides or gives data to that, or it may do so.
 DIRECT, STATE, PERHAPS = "direct", "state", "perhaps"

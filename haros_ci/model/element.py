@@ -4,7 +4,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+
+from haros_ci.records import dataclass, field
 
 
 @dataclass(slots=True)

@@ -3,10 +3,10 @@
 
 from __future__ import annotations
 
-import re
+from haros_ci.regex import regex
 
 #: A superseded copy: ``pick_old.py`` beside ``pick.py``, or beside ``pick_fast.py``.
-_SUPERSEDED = re.compile(
+_SUPERSEDED = regex(
     r"(?P<a>.+?)[_-](?:old|backup|bak|copy|orig|original|deprecated|unused|obsolete|legacy)\d*"
     r"|(?:old|backup|bak|deprecated|unused|obsolete)[_-](?P<b>.+)"
 )

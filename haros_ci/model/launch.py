@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
 
 from haros_ci.model.architecture import Condition, Parameter, RemapRule, Unknown
@@ -11,6 +10,7 @@ from haros_ci.model.launch_facts import LaunchFact, ParameterFileUse
 from haros_ci.model.location import Location
 from haros_ci.model.presence import Presence
 from haros_ci.model.workspace import Problem
+from haros_ci.records import dataclass
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

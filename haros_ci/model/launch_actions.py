@@ -8,10 +8,10 @@ resolved: it says what the launch description says. ``link`` performs it in a co
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
 from typing import Any, Protocol, Union
 
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass, field
 
 #: What ``find-pkg-share``, ``find-pkg-prefix`` and ``dirname`` give: text that stands for a directory, wherever it will be.
 #: ``$(find-pkg-share pkg)/config/x.yaml`` is a path as any other text; only reading a file asks where it is.

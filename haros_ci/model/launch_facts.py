@@ -7,10 +7,9 @@ not certain is None, never a guess.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from haros_ci.model.location import Location
 from haros_ci.model.presence import ALWAYS, Presence
+from haros_ci.records import dataclass
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -3,11 +3,10 @@
 
 from __future__ import annotations
 
-import re
-from dataclasses import dataclass
-
 from haros_ci.model.launch_actions import Phrase, Substitution
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass
+from haros_ci.regex import regex
 
 #: How deep substitutions may be nested.
 MAX_DEPTH = 40
@@ -40,8 +39,8 @@ _ARGUMENTS: dict[str, tuple[int, int | None]] = {
     "if": (2, 3),
 }
 _ALIASES = {name.replace("-", "_"): name for name in _ARGUMENTS if "-" in name}
-_WORD = re.compile(r"[A-Za-z][A-Za-z0-9_-]*")
-_ESCAPED = re.compile(r"\\(.)")
+_WORD = regex(r"[A-Za-z][A-Za-z0-9_-]*")
+_ESCAPED = regex(r"\\(.)")
 
 
 class _MalformedPhrase(Exception):

@@ -7,10 +7,10 @@ A recording does not have everything: what it lacks is no mistake of the model, 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
 
 from haros_ci.model.architecture import Configuration, Endpoint, Node, Qos
 from haros_ci.model.rates import Rate
+from haros_ci.records import dataclass, field
 
 #: Topics that ROS itself makes.
 OF_ROS = frozenset(("/rosout", "/rosout_agg", "/parameter_events", "/events/read_split", "/events/write_split"))

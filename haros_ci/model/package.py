@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from haros_ci.records import dataclass
 
 #: The kinds of file that anything here reads. ``cpp`` is C and C++, headers included, ``world`` what Gazebo reads besides SDF, ``hpl`` properties.
 LANGUAGES = (

@@ -3,8 +3,9 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Mapping
+
+from haros_ci.regex import regex
 
 #: What macros stand for: a text, None where they are defined as something that is not known.
 Macros = Mapping[str, str | None]
@@ -13,10 +14,8 @@ LONGEST, WORDS, DEEPEST, LARGEST = 1000, 200, 20, 2**63
 #: What macros may be looked up in one condition.
 _EXPANSIONS = 100
 
-_TOKEN = re.compile(r"\s*(?:(\d[\w']*|\.\d\w*)|([A-Za-z_]\w*)|(&&|\|\||[=!<>]=|<<|>>|[-+*/%!<>()~&|^?:,]))")
-_NUMBER = re.compile(
-    r"(?:0[xX]([0-9a-fA-F']{1,20})|0[bB]([01']{1,64})|(0[0-7']{0,30})|([1-9][0-9']{0,20}))[uUlLzZ]{0,3}"
-)
+_TOKEN = regex(r"\s*(?:(\d[\w']*|\.\d\w*)|([A-Za-z_]\w*)|(&&|\|\||[=!<>]=|<<|>>|[-+*/%!<>()~&|^?:,]))")
+_NUMBER = regex(r"(?:0[xX]([0-9a-fA-F']{1,20})|0[bB]([01']{1,64})|(0[0-7']{0,30})|([1-9][0-9']{0,20}))[uUlLzZ]{0,3}")
 
 _BINARY: Mapping[str, tuple[int, Callable[[int, int], int]]] = {
     "|": (3, lambda a, b: a | b),

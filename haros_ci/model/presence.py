@@ -9,7 +9,8 @@ if the conjunction of theirs is not contradictory.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+
+from haros_ci.records import dataclass
 
 _TRUTH = {"true": "true", "1": "true", "false": "false", "0": "false"}
 

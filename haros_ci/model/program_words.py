@@ -6,17 +6,19 @@ from __future__ import annotations
 import re
 from itertools import islice
 
-_COMMENT = re.compile(r"(?:^|(?<=[ \t]))#[^\n]*", re.M)
+from haros_ci.regex import regex
+
+_COMMENT = regex(r"(?:^|(?<=[ \t]))#[^\n]*", re.M)
 #: The module and function of an entry point (packaging.python.org, "Entry points specification").
-_ENTRY = re.compile(r"(?<==)[ \t]{0,20}[A-Za-z_][\w.]{0,200}:[A-Za-z_][\w.]{0,200}")
-_PATH_BEFORE = re.compile(r"[\w./+${}-]{1,300}\Z")
-_PATH_BEHIND = re.compile(r"[\w./+${}-]{1,300}")
+_ENTRY = regex(r"(?<==)[ \t]{0,20}[A-Za-z_][\w.]{0,200}:[A-Za-z_][\w.]{0,200}")
+_PATH_BEFORE = regex(r"[\w./+${}-]{1,300}\Z")
+_PATH_BEHIND = regex(r"[\w./+${}-]{1,300}")
 _SOURCES = frozenset("c cc cpp cxx c++ cu h hh hpp hxx py".split())
 #: What may take a program's name from the name of a file.
-_DERIVES = re.compile(
+_DERIVES = regex(
     r"\b(?:get_filename_component|cmake_path|NAME_WE|STEM|REGEX|REPLACE|stem|splitext|removesuffix|basename)\b"
 )
-_OPENER = re.compile(r"\b([A-Za-z_]\w{0,100})[ \t]*\(")
+_OPENER = regex(r"\b([A-Za-z_]\w{0,100})[ \t]*\(")
 #: Commands of CMake, and calls of a setup.py, that take files and name no program after them.
 _TAKING = frozenset(
     """
@@ -36,10 +38,10 @@ _NO_DEPENDENCY = frozenset(
     target_compile_features target_link_options target_sources target_precompile_headers set_target_properties set_property install
     """.split()
 )
-_EXCLUDED = re.compile(r"\A\s*\S+\s+(?:WIN32\s+|MACOSX_BUNDLE\s+)*EXCLUDE_FROM_ALL\b")
-_EXCLUDED_BY = re.compile(r"\bEXCLUDE_FROM_ALL\s+\"?(?:1|ON|TRUE|YES|Y)\b", re.I)
+_EXCLUDED = regex(r"\A\s*\S+\s+(?:WIN32\s+|MACOSX_BUNDLE\s+)*EXCLUDE_FROM_ALL\b")
+_EXCLUDED_BY = regex(r"\bEXCLUDE_FROM_ALL\s+\"?(?:1|ON|TRUE|YES|Y)\b", re.I)
 #: What opens a block of CMake, ends one, or ends the file; comments and texts may hold none of these at the beginning of a line.
-_BLOCK = re.compile(
+_BLOCK = regex(
     r"^[ \t]*(if|endif|foreach|endforeach|while|endwhile|function|endfunction|macro|endmacro|block|endblock|return)[ \t]*\(",
     re.I | re.M,
 )

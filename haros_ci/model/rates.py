@@ -7,10 +7,10 @@ A rate is nominal: what the code asks for, where the work of a turn takes less t
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 from math import inf
 
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass
 
 
 @dataclass(frozen=True, slots=True)

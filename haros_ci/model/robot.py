@@ -3,9 +3,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass
 
 #: A place and what happens there, outermost first: the calls and includes that lead to something.
 Way = tuple[tuple[Location, str], ...]

@@ -8,13 +8,15 @@ import re
 from collections.abc import Iterable
 from difflib import SequenceMatcher
 
+from haros_ci.regex import regex
+
 #: How alike two names are at least, and how much of the longer one the shorter one is where its words are among the other's.
 _ALIKE = 0.8
 _PART = 0.5
 #: Letters of a word that means something.
 _WORD = 3
 _LONGEST = 200
-_LAUNCH = re.compile(r"[._]launch(?:\.\w+)?$")
+_LAUNCH = regex(r"[._]launch(?:\.\w+)?$")
 #: Words of which one is not meant by the other.
 _APART = ({"left", "right"}, {"front", "rear"}, {"front", "back"}, {"upper", "lower"}, {"min", "max"})
 

@@ -4,12 +4,12 @@
 from __future__ import annotations
 
 import posixpath
-import re
 from collections.abc import Collection
 
 from haros_ci.model.workspace import Workspace
+from haros_ci.regex import regex
 
-_PATH = re.compile(r"(?m)^[ \t]*path[ \t]*=[ \t]*(\S+)[ \t\r]*$")
+_PATH = regex(r"(?m)^[ \t]*path[ \t]*=[ \t]*(\S+)[ \t\r]*$")
 
 
 def submodules(workspace: Workspace) -> tuple[str, ...]:

@@ -6,22 +6,24 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 
-_TELLING = re.compile(
+from haros_ci.regex import regex
+
+_TELLING = regex(
     r"(?:^|/)(?:readme[^/]*|install[^/]*\.(?:md|rst|txt)|[^/]*dockerfile[^/]*|containerfile|\.travis\.yml|\.gitlab-ci\.yml|makefile"
     r"|\.?[\w-]*(?:bashrc|zshrc|profile|bash_aliases))$"
     r"|\.(?:md|rst|sh|bash|zsh|service)$|docker[^/]*\.ya?ml$|/Jenkinsfile$",
     re.IGNORECASE,
 )
-_CHANGES = re.compile(r"(?:^|/)changelog[^/]*$", re.IGNORECASE)
+_CHANGES = regex(r"(?:^|/)changelog[^/]*$", re.IGNORECASE)
 #: Of one page so much is read.
 MAX_PAGE = 200_000
-_NOETIC = re.compile(
+_NOETIC = regex(
     r"\bros-noetic-|\bros:noetic|/opt/ros/noetic\b|\brosdistro[= ]noetic\b|\bROS_DISTRO[=:]\s*[\"']?noetic\b|\bROS[ \t]+(?:1[ \t]+)?Noetic\b|:noetic-|\bnoetic-devel\b",
     re.IGNORECASE,
 )
 #: A branch that is called after an older one is often that of Noetic, too, and an address tells of another project.
-_NO_NAME = re.compile(r"https?://\S{0,300}|[\w/]{0,40}-devel\b|\borigin/[\w-]{1,40}")
-_OLDER = re.compile(r"\b(?:groovy|hydro|indigo|jade|kinetic|lunar|melodic)\b", re.IGNORECASE)
+_NO_NAME = regex(r"https?://\S{0,300}|[\w/]{0,40}-devel\b|\borigin/[\w-]{1,40}")
+_OLDER = regex(r"\b(?:groovy|hydro|indigo|jade|kinetic|lunar|melodic)\b", re.IGNORECASE)
 
 
 def is_page(path: str) -> bool:

@@ -9,6 +9,7 @@ from collections.abc import Collection, Iterable
 
 from haros_ci.model.build import Build
 from haros_ci.model.package import Package
+from haros_ci.regex import regex
 
 SUFFIXES = (".cpp", ".cc", ".cxx", ".c++")
 #: Commands that may compile files that they do not name.
@@ -22,15 +23,15 @@ _FETCHING = frozenset(
     )
 )
 #: Beginnings of what the evaluator says where a part of the build is not seen.
-_UNSEEN = re.compile(r"add_subdirectory\(|include\(|\w+\(\) is not known; what it builds|the name of this |its CMake ")
+_UNSEEN = regex(r"add_subdirectory\(|include\(|\w+\(\) is not known; what it builds|the name of this |its CMake ")
 #: Without one of them a package is built in another way: for the other ROS, or by itself as an external project.
 _LAST = {
     1: frozenset(("catkin_package", "catkin_metapackage", "cs_export")),
     2: frozenset(("ament_package", "ament_auto_package", "autoware_ament_auto_package")),
 }
 #: What stands behind ``#`` at the start of a word, in brackets or to the end of its line.
-_COMMENT = re.compile(r"(?<![^\s()])#(?:\[(=*)\[.*?\]\1\]|[^\n]*)", re.DOTALL)
-_NAME = re.compile(r"[\w.+-]+")
+_COMMENT = regex(r"(?<![^\s()])#(?:\[(=*)\[.*?\]\1\]|[^\n]*)", re.DOTALL)
+_NAME = regex(r"[\w.+-]+")
 
 
 def is_whole(build: Build, package: Package) -> bool:

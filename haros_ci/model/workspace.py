@@ -4,11 +4,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Protocol
 
 from haros_ci.model.package import Package, SourceFile
+from haros_ci.records import dataclass
 
 #: As many bytes as the header and the count of a binary STL.
 HEAD = 84

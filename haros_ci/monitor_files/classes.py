@@ -4,13 +4,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 
 from haros_ci.behaviour.tree import Event, Expression, PatternKind
 from haros_ci.monitor_files.literals import literal
 from haros_ci.monitor_files.predicates import TooDeep, expression_text, predicate_parts
 from haros_ci.monitoring.monitor import Monitor, words
 from haros_ci.monitoring.predicates import key_of
+from haros_ci.records import dataclass
 
 BASES = {
     PatternKind.NO: "No",

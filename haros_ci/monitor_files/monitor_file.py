@@ -5,12 +5,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
 from typing import Any
 
 from haros_ci.monitor_files.classes import Described
 from haros_ci.monitor_files.core import CORE, PROGRAM, module_text, properties_text
 from haros_ci.monitor_files.literals import literal
+from haros_ci.records import dataclass, field
+from haros_ci.regex import regex
 
 HEAD = '''\
 #!/usr/bin/env python3
@@ -25,8 +26,8 @@ when it is written again. The properties are the classes at the end of the file.
 """
 
 '''
-_UNFIT = re.compile(r"[^A-Za-z0-9_]+", re.ASCII)
-_TYPE = re.compile(r"([A-Za-z]\w{0,200})/(?:(?:msg|srv)/)?([A-Za-z]\w{0,200})", re.ASCII)
+_UNFIT = regex(r"[^A-Za-z0-9_]+", re.ASCII)
+_TYPE = regex(r"([A-Za-z]\w{0,200})/(?:(?:msg|srv)/)?([A-Za-z]\w{0,200})", re.ASCII)
 
 
 @dataclass(frozen=True, slots=True)

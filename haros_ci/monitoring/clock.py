@@ -5,8 +5,9 @@ from __future__ import annotations
 
 import heapq
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import Any
+
+from haros_ci.records import dataclass
 
 SECOND = 1_000_000_000
 #: A step back that is smaller is noise between senders: the message counts as one of the time before. Any other is one of a clock that was

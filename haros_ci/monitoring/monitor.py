@@ -8,7 +8,7 @@ of a topic of the property comes, and at the end, which makes no difference to t
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from types import MappingProxyType
 from typing import Any
 
@@ -17,6 +17,7 @@ from haros_ci.behaviour.tree import Event, Expression, Property
 from haros_ci.monitoring.pool import MOST_KEPT, Record
 from haros_ci.monitoring.predicates import Constants, Faults, Known, Slots, Test, chains, test_of
 from haros_ci.monitoring.verdict import Outcome, Verdict, Witness
+from haros_ci.records import dataclass
 
 SECOND = 1_000_000_000
 _ROLES = ("activator", "terminator", "trigger", "behaviour")

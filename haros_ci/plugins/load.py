@@ -22,13 +22,14 @@ from haros_ci.plugins.guard import GuardedLinter, guarded_check, guarded_rendere
 from haros_ci.plugins.place import digest, failed, located
 from haros_ci.plugins.plugin import Plugin, Renderer
 from haros_ci.plugins.stdout import kept_clean
+from haros_ci.regex import regex
 from haros_ci.results.rule import Rule
 
 #: What a module may offer.
 OFFERS = ("CHECKS", "LINTERS", "API_ROWS", "RENDERERS")
-_NAME = re.compile(r"[^\W\d]\w*(\.[^\W\d]\w*)*", re.ASCII)
-_ID = re.compile(r"[a-z][a-z0-9]*(-[a-z0-9]+)*")
-_TOOL = re.compile(r"[a-z][a-z0-9]*([_-][a-z0-9]+)*")
+_NAME = regex(r"[^\W\d]\w*(\.[^\W\d]\w*)*", re.ASCII)
+_ID = regex(r"[a-z][a-z0-9]*(-[a-z0-9]+)*")
+_TOOL = regex(r"[a-z][a-z0-9]*([_-][a-z0-9]+)*")
 _METHODS = ("locate", "fingerprint", "dependencies", "command", "parse")
 _ATTRIBUTES = tuple(Linter.__annotations__)
 

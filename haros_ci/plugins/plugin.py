@@ -4,11 +4,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
 
 from haros_ci.checking.check import Check
 from haros_ci.linters.linter import Linter
 from haros_ci.model.api import Row
+from haros_ci.records import dataclass, field
 from haros_ci.results.result import Report
 from haros_ci.results.rule import Rule
 

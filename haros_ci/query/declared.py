@@ -10,12 +10,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from hashlib import sha256
 from typing import Any
 
 from haros_ci.query.fault import QueryError, short
 from haros_ci.query.tokens import tokens
+from haros_ci.records import dataclass
 from haros_ci.results.rule import Level, Rule
 
 PLUGIN = "haros_plugin_pyflwor"

@@ -3,9 +3,7 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
 
 from haros_ci.model.location import Location
 from haros_ci.query.calls import RosCall
@@ -16,12 +14,14 @@ from haros_ci.query.resources import NodeInstance, QueryParameter, Resource
 from haros_ci.query.source import SourceEntity
 from haros_ci.query.system import QuerySystem
 from haros_ci.query.values import QueryEntity, Value, words
+from haros_ci.records import dataclass
+from haros_ci.regex import regex
 from haros_ci.results.own import TOOL
 from haros_ci.results.result import Related, Result
 
 #: Further places that one result names.
 MOST_RELATED = 20
-_FIELD = re.compile(r"\{\{|\}\}|\{(entities|value|n)\}")
+_FIELD = regex(r"\{\{|\}\}|\{(entities|value|n)\}")
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,7 +9,6 @@ Only an error that a row would raise which such a condition rules out is not rai
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
 from math import isnan
 from typing import TYPE_CHECKING, Any
 
@@ -18,6 +17,7 @@ from haros_ci.query.free import conjuncts, free
 from haros_ci.query.machine import Machine, Scope
 from haros_ci.query.syntax import Compare, Flwr, Tree
 from haros_ci.query.values import UnknownText, Value
+from haros_ci.records import dataclass
 
 if TYPE_CHECKING:
     from haros_ci.query.evaluate import Compiler, Names, Run

@@ -4,10 +4,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
 
 from haros_ci.query.fault import QueryBudgetExhausted, QueryError
 from haros_ci.query.values import Value
+from haros_ci.records import dataclass, field
 
 #: Calls of a query's own functions within each other.
 DEEPEST = 40

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import dataclass
 from typing import Any
 
 from haros_ci.model.architecture import LIBRARY, Architecture
@@ -18,6 +17,7 @@ from haros_ci.query.machine import STEPS
 from haros_ci.query.source import SourceModel
 from haros_ci.query.system import QuerySystem
 from haros_ci.query.values import QueryList, Value
+from haros_ci.records import dataclass
 from haros_ci.results.own import FAILED_QUERY, TOOL
 from haros_ci.results.result import Notification, Result
 from haros_ci.results.rule import Level, Rule

@@ -4,9 +4,10 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 
 from haros_ci.query.fault import QueryError, short
+from haros_ci.records import dataclass
+from haros_ci.regex import regex
 
 #: Longer ones are refused; the longest of HAROS's published queries has 700 characters.
 LONGEST_QUERY = 20_000
@@ -17,7 +18,7 @@ WORDS = frozenset(
     " function if then else flatten collect as with".split()
 )
 
-_TOKEN = re.compile(
+_TOKEN = regex(
     r"""(?P<space>[ \t\r\n\f\v\ufeff]+|//[^\n]*|/\*.*?\*/)
     |(?P<number>0[xX][0-9a-fA-F]+|[0-9]*\.[0-9]+(?:[Ee][+-]?[0-9]+)?|[0-9]+[Ee][+-]?[0-9]+|[0-9]+)
     |(?P<name>[A-Za-z_][A-Za-z_0-9]*)

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from haros_ci import syntax
 from haros_ci.code import classes, kinds
@@ -13,6 +12,7 @@ from haros_ci.code.callbacks import given_function
 from haros_ci.code.calls import called
 from haros_ci.code.codebase import Codebase, Routine
 from haros_ci.rates.publishers import related
+from haros_ci.records import dataclass
 from haros_ci.syntax import Expression
 from haros_ci.syntax.walk import everything
 

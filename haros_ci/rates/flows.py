@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 from math import inf
 
 from haros_ci import syntax
@@ -19,6 +19,7 @@ from haros_ci.rates.runs import TRANSITION, Runs, runs
 from haros_ci.rates.threads import is_joined
 from haros_ci.rates.turns import Paced, turns
 from haros_ci.rates.written import Written
+from haros_ci.records import dataclass, field
 
 #: Calls inside calls, from a callback to where something is published.
 DEPTH = 8

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
 
 from haros_ci import syntax
 from haros_ci.code import classes, kinds
@@ -13,6 +12,7 @@ from haros_ci.code.calls import function_meant
 from haros_ci.code.codebase import Codebase, Routine
 from haros_ci.model.architecture import Endpoint
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass
 from haros_ci.syntax import Expression
 from haros_ci.syntax.walk import Part, everything
 

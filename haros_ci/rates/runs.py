@@ -7,7 +7,6 @@ It is the same for all nodes: which of the timers and subscriptions a node makes
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field
 
 from haros_ci import syntax
 from haros_ci.code import classes, kinds
@@ -17,6 +16,7 @@ from haros_ci.code.calls import called, function_meant
 from haros_ci.code.codebase import Codebase, Routine
 from haros_ci.rates.may import may_run
 from haros_ci.rates.threads import THREADS, begins_thread, in_one
+from haros_ci.records import dataclass, field
 from haros_ci.syntax import Expression, Record
 from haros_ci.syntax.walk import everything
 

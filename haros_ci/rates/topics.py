@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from math import inf
 
 from haros_ci.code.codebase import Codebase
@@ -13,6 +12,7 @@ from haros_ci.model.location import Location
 from haros_ci.model.rates import NEVER, CallRate, Rate, Rates, TopicRate, total, unknown
 from haros_ci.rates.flows import Filters, Flow, NodeFlows, scaled
 from haros_ci.rates.written import Written
+from haros_ci.records import dataclass
 
 #: Rounds after which a rate that still grows has no bound, and all that there are.
 WIDEN, ROUNDS = 12, 40

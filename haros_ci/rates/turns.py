@@ -3,9 +3,7 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from haros_ci import syntax
 from haros_ci.code import classes, kinds
@@ -13,13 +11,15 @@ from haros_ci.code.body import Call
 from haros_ci.code.codebase import Codebase, Routine
 from haros_ci.model.location import Location
 from haros_ci.rates.sleeps import every_turn, hertz, rate_slept, seconds, turns_of
+from haros_ci.records import dataclass
+from haros_ci.regex import regex
 from haros_ci.syntax import Block, Expression, Statement
 from haros_ci.syntax.walk import everything
 
 #: Why a call in a loop is not known to run a number of times.
 OPEN = "it is in a loop of unknown length"
 #: Conditions that hold as long as the program runs.
-RUNNING = re.compile(
+RUNNING = regex(
     r"(true|1|True|not rospy\.is_shutdown\(\)|(ros|rclcpp|rclpy)(::|\.)ok\([\w.>()-]{0,60}\)|(ros::)?ok\(\)"
     r"|[\w.>-]{1,40}(\.|->)ok\(\)|!ros::isShuttingDown\(\)|__name__ == ['\"]__main__['\"])"
 )

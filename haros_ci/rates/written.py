@@ -3,9 +3,7 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
 from itertools import product
 
 from haros_ci import syntax
@@ -18,6 +16,8 @@ from haros_ci.model.rates import Rate, at_most, either, exactly, unknown
 from haros_ci.rates.assigned import Assigned, Given, bound, callers, of_local, of_member
 from haros_ci.rates.made import REAL, duration, frequency, of_period, position_of
 from haros_ci.rates.runs import runs
+from haros_ci.records import dataclass, field
+from haros_ci.regex import regex
 from haros_ci.syntax import Expression
 from haros_ci.syntax.walk import everything
 
@@ -27,9 +27,7 @@ VALUES = frozenset("as_double as_int get_value value double_value integer_value"
 GETTERS = frozenset(
     "get_parameter declare_parameter get_parameter_or_default declare_or_get_parameter param get_param".split()
 )
-NUMBER = re.compile(
-    r"(std::)?(u?int\d{0,2}(_t)?|size_t|unsigned|unsigned \w{1,8}|long|long \w{1,8}|short|float|double)"
-)
+NUMBER = regex(r"(std::)?(u?int\d{0,2}(_t)?|size_t|unsigned|unsigned \w{1,8}|long|long \w{1,8}|short|float|double)")
 #: Steps from a rate to a number, and numbers that it may be.
 DEPTH, MOST = 10, 6
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import stat
 from collections.abc import Iterator
-from dataclasses import dataclass
 from importlib.util import find_spec
 from itertools import islice
 from pathlib import Path
@@ -15,6 +14,7 @@ from haros_ci.bounded_yaml import YamlFault, YamlLimits, data
 from haros_ci.errors import UserError
 from haros_ci.recordings.offered import Offer, offers
 from haros_ci.recordings.recording import Channel, Cut, Recording, Unreadable
+from haros_ci.records import dataclass
 
 #: Files of one bag, and bytes of its metadata.yaml.
 MOST_FILES = 10_000

@@ -7,11 +7,11 @@ The profiles are those of rosbag2_storage/qos.cpp: a list in YAML, policies as n
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from typing import Any
 
 from haros_ci.bounded_yaml import YamlFault, YamlLimits, data
 from haros_ci.model.architecture import Qos
+from haros_ci.records import dataclass
 
 _LIMITS = YamlLimits(100_000, 6, 20_000, 0)
 #: rmw/types.h; what is the system's default, or unknown, says nothing.

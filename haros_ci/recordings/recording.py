@@ -4,11 +4,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import Any
 
 from haros_ci.errors import UserError
 from haros_ci.recordings.offered import Offer
+from haros_ci.records import dataclass
 
 #: Topics and types of one recording, characters of their names, of one definition and of all.
 MOST_CHANNELS, LONGEST_NAME, LONGEST_DEFINITION, MOST_TEXT = 10_000, 1_000, 300_000, 64 << 20

@@ -15,11 +15,12 @@ from typing import Any
 from haros_ci.recordings.bag import MAGIC_ZSTD, unreadable
 from haros_ci.recordings.packed import unpacked
 from haros_ci.recordings.recording import LONGEST_DEFINITION, Channel
+from haros_ci.regex import regex
 
 Decoder = Callable[[bytes, int], Any]
-_TYPE = re.compile(r"[A-Za-z]\w{0,200}(?:/msg)?/[A-Za-z]\w{0,200}", re.ASCII)
-_NAME_OF_TYPE = re.compile(r"[A-Za-z]\w{0,200}(?:/[A-Za-z]\w{0,200}){0,3}", re.ASCII)
-_NAME_OF_FIELD = re.compile(r"[A-Za-z]\w{0,200}", re.ASCII)
+_TYPE = regex(r"[A-Za-z]\w{0,200}(?:/msg)?/[A-Za-z]\w{0,200}", re.ASCII)
+_NAME_OF_TYPE = regex(r"[A-Za-z]\w{0,200}(?:/[A-Za-z]\w{0,200}){0,3}", re.ASCII)
+_NAME_OF_FIELD = regex(r"[A-Za-z]\w{0,200}", re.ASCII)
 #: Lines of a definition.
 MOST_LINES = 10_000
 #: Fields of a definition with all that it uses; elements of an array of a fixed size, and signs of a bounded text.

@@ -4,12 +4,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from itertools import groupby
 from typing import TypeGuard
 
 from haros_ci.model.architecture import KINDS, Configuration, Endpoint, Node, Parameter
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass
 
 UNKNOWN = "?"
 #: What endpoints connect: its kinds of ends, those that offer first, each with the key it is listed under.

@@ -3,17 +3,17 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable
 
+from haros_ci.regex import regex
 from haros_ci.results.own import TOOL
 from haros_ci.results.result import Result
 
 #: Rules on entries that a package.xml lacks; they stand behind those that there are.
-_LACKING = re.compile(r"undeclared-[a-z-]{1,40}")
-_ADVICE = re.compile(r"\badd (?=<)")
-_TAG = re.compile(r"<(\w{1,40})>[^<>\s]{1,200}</\1>")
-_BETWEEN = re.compile(r"(?:, | and )(?=<)")
+_LACKING = regex(r"undeclared-[a-z-]{1,40}")
+_ADVICE = regex(r"\badd (?=<)")
+_TAG = regex(r"<(\w{1,40})>[^<>\s]{1,200}</\1>")
+_BETWEEN = regex(r"(?:, | and )(?=<)")
 #: So many lines are shown.
 MOST = 30
 

@@ -6,6 +6,8 @@ from __future__ import annotations
 import json
 import re
 
+from haros_ci.regex import regex
+
 REPLACEMENT = "\N{REPLACEMENT CHARACTER}"
 _BREAK = "\N{ZERO WIDTH SPACE}"
 
@@ -14,15 +16,15 @@ _UNSAFE = "\x00-\x08\x0b-\x1f\x7f-\x9f\u061c\u200e\u200f\u2028-\u202e\u2066-\u20
 #: How commands to a runner begin, anywhere in a line of the log: GitHub's older ones (actions/runner, ActionCommand.cs), those of Azure Pipelines
 #: ("Logging commands"), and TeamCity's ("Service messages").
 _COMMAND = r"(?<=##)\[|(?i:(?<=##vso)\[)|(?i:(?<=##teamcity)\[)"
-_COMMANDS = re.compile(_COMMAND)
+_COMMANDS = regex(_COMMAND)
 _MARK = "##"
-_UNSAFE_IN_TEXT = re.compile(f"[{_UNSAFE}]|{_COMMAND}")
-_UNSAFE_IN_LINE = re.compile(f"[{_UNSAFE}\n]|{_COMMAND}")
-_HEAD = re.compile(r"^([^\S\n]*):(?=:)", re.MULTILINE)
+_UNSAFE_IN_TEXT = regex(f"[{_UNSAFE}]|{_COMMAND}")
+_UNSAFE_IN_LINE = regex(f"[{_UNSAFE}\n]|{_COMMAND}")
+_HEAD = regex(r"^([^\S\n]*):(?=:)", re.MULTILINE)
 #: Punctuation that forms something, and what GitHub and GitLab make links of: ``www.``, ``GH-1``.
-_MARKDOWN_ACTIVE = re.compile(r"[!#$&()*+:<=>@\[\\\]^_`{|}~]|(?<=[wW]{3})\.|(?<=GH)-(?=\d)")
-_ADDRESS_OF_PAGE = re.compile(r"https?://[A-Za-z0-9][A-Za-z0-9._~:/?#\[\]@!$&'()*+,;=%-]*")
-_MAIL = re.compile(r"(?<=[\w.+-])&#64;(?=\w)")
+_MARKDOWN_ACTIVE = regex(r"[!#$&()*+:<=>@\[\\\]^_`{|}~]|(?<=[wW]{3})\.|(?<=GH)-(?=\d)")
+_ADDRESS_OF_PAGE = regex(r"https?://[A-Za-z0-9][A-Za-z0-9._~:/?#\[\]@!$&'()*+,;=%-]*")
+_MAIL = regex(r"(?<=[\w.+-])&#64;(?=\w)")
 
 
 def terminal(text: str) -> str:

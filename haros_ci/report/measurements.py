@@ -7,11 +7,11 @@ import csv
 import io
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
 from typing import Any
 
 from haros_ci import __version__
 from haros_ci.model.measurement import Measurement
+from haros_ci.records import dataclass
 from haros_ci.report.csv_table import cell
 from haros_ci.report.escape import json_document, terminal
 from haros_ci.report.message import number

@@ -7,6 +7,7 @@ import re
 from collections.abc import Iterator
 from math import isfinite
 
+from haros_ci.regex import regex
 from haros_ci.report.escape import terminal
 from haros_ci.results.own import TOOL
 from haros_ci.results.result import Related, Result
@@ -14,7 +15,7 @@ from haros_ci.results.result import Related, Result
 MAX_MESSAGE = 2000
 MAX_LABEL = 100
 MAX_LINKS = 10
-_LINK = re.compile(r"\[((?:[^\[\]\\]|\\[\[\]\\])*)\]\((\d{1,4})\)")
+_LINK = regex(r"\[((?:[^\[\]\\]|\\[\[\]\\])*)\]\((\d{1,4})\)")
 
 
 def plain(result: Result) -> str:

@@ -4,10 +4,10 @@
 from __future__ import annotations
 
 import json
-import re
 from collections.abc import Iterator, Mapping
 
 from haros_ci.model.architecture import Architecture
+from haros_ci.regex import regex
 from haros_ci.report.escape import markdown, markdown_code
 from haros_ci.report.model_json import plain
 from haros_ci.report.node_interface import Entry, Interface, interfaces, qos_text
@@ -23,8 +23,8 @@ HEADINGS = {
     "parameters": "Parameters",
 }
 #: What a code span holds as it stands in any cell of a GitHub table.
-_CODE = re.compile(r"[A-Za-z0-9_~/.,:?\[\]{}()'\"=+ -]*[A-Za-z0-9_~/.,:?\[\]{}()'\"=+-]")
-_WORDS = re.compile(r"(?!.*__)[a-z0-9_.,? -]*")
+_CODE = regex(r"[A-Za-z0-9_~/.,:?\[\]{}()'\"=+ -]*[A-Za-z0-9_~/.,:?\[\]{}()'\"=+-]")
+_WORDS = regex(r"(?!.*__)[a-z0-9_.,? -]*")
 #: Descriptions by the headings above a row (node, table) and its name as they are written.
 Descriptions = Mapping[tuple[str, str, str], str]
 

@@ -6,10 +6,10 @@ Nodes are boxes, topics stadiums, services diamonds, actions hexagons; condition
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 
 from haros_ci.model.architecture import Architecture, Configuration
+from haros_ci.regex import regex
 from haros_ci.report.channels import Channel, channels, is_known, nodes_of
 from haros_ci.report.escape import markdown, terminal
 from haros_ci.report.model_rates import known_rates
@@ -21,7 +21,7 @@ MAX_EDGES = 500
 BRACKETS = {"topics": ("([", "])"), "services": ("{", "}"), "actions": ("{{", "}}")}
 STYLES = ("classDef conditional stroke-dasharray:5 5", "classDef unknown stroke:red,color:red")
 
-_ACTIVE = re.compile(r"[^A-Za-z0-9_/?.~, -]|\A[^A-Za-z/]")
+_ACTIVE = regex(r"[^A-Za-z0-9_/?.~, -]|\A[^A-Za-z/]")
 
 
 def render(architecture: Architecture) -> str:

@@ -11,6 +11,7 @@ import re
 from collections.abc import Iterable, Iterator
 
 from haros_ci.model.architecture import Architecture, Endpoint, Unknown
+from haros_ci.regex import regex
 from haros_ci.report.channels import is_known
 from haros_ci.report.escape import REPLACEMENT, terminal
 from haros_ci.report.message import shorten
@@ -28,7 +29,7 @@ ELEMENTS = {
 }
 ORDER = ("action", "parameter", "topic", "service")
 _ROLES = ("publisher", "subscription", "server", "client")
-_NO_XML = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\ud800-\udfff\ufffe\uffff]")
+_NO_XML = regex("[\x00-\x08\x0b\x0c\x0e-\x1f\ud800-\udfff\ufffe\uffff]")
 
 
 def render(architecture: Architecture, package: str | None = None) -> str:

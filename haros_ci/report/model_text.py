@@ -5,10 +5,11 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator
-from dataclasses import astuple, dataclass
+from dataclasses import astuple
 
 from haros_ci.model.architecture import KINDS, Architecture, Configuration, Endpoint, Node
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass
 from haros_ci.report.channels import CHANNELS, channels, endpoints_of, is_known, nodes_of
 from haros_ci.report.escape import terminal
 from haros_ci.report.message import shorten

@@ -11,10 +11,10 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from typing import Any
 
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass
 from haros_ci.report.escape import json_document, terminal
 
 #: Columns of a timeline.

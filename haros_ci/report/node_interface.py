@@ -5,10 +5,10 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 
 from haros_ci.model.architecture import KINDS, LIBRARY, Architecture, Endpoint, Node
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass
 from haros_ci.report.channels import is_known
 
 #: The kinds of ends that are part of an interface; a ROS 1 node's getters stand for its parameters.

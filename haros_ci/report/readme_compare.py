@@ -9,11 +9,11 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from dataclasses import dataclass
 from functools import cache
 
 from haros_ci.model.architecture import LIBRARY, Architecture, Endpoint, Node
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass
 from haros_ci.report.channels import is_known
 from haros_ci.report.model_json import Places
 from haros_ci.report.node_interface import Entry, Interface, own_name

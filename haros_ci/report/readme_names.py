@@ -5,8 +5,10 @@ from __future__ import annotations
 
 import re
 
+from haros_ci.regex import regex
+
 #: What stands for anything: ``<name>``, ``{name}``, ``*``, ``...``, ``[0-7]``, ``$(x)``.
-_WILD = re.compile(r"<[^<>]*>|\$?\{[^{}]*\}|\$\([^()]*\)|\*+|\.\.\.|\[[^\[\]]*\]")
+_WILD = regex(r"<[^<>]*>|\$?\{[^{}]*\}|\$\([^()]*\)|\*+|\.\.\.|\[[^\[\]]*\]")
 _LONGEST = 300
 
 

@@ -10,8 +10,10 @@ from __future__ import annotations
 import html
 import re
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
 from html.parser import HTMLParser
+
+from haros_ci.records import dataclass
+from haros_ci.regex import regex
 
 LONGEST_CELL = 2_000
 LONGEST_HTML_TABLE = 50_000  # characters
@@ -22,19 +24,19 @@ SERVICES = ("servers", "clients")
 ACTIONS = ("action_servers", "action_clients")
 PARAMETERS = ("parameters",)
 
-_NAME_COLUMN = re.compile(
+_NAME_COLUMN = regex(
     r"(?:(?:input|output|subscribed|published) )?"
     r"(?:topics?|services?|actions?|interface|parameters?|param|local|global)?"
     r" ?(?:names?)?|parameters? ?/.*|.{1,40} parameters?"
 )
-_TYPE_COLUMN = re.compile(r"(?:message|msg|data|service|srv|topic|action|parameter)? ?types?")
-_DEFAULT_COLUMN = re.compile(r"default( values?)?\b")
-_SAYS_WHAT = re.compile(r"type|default|desc|defin|expla|meaning|interface")
-_NOT_INTERFACE = re.compile(
+_TYPE_COLUMN = regex(r"(?:message|msg|data|service|srv|topic|action|parameter)? ?types?")
+_DEFAULT_COLUMN = regex(r"default( values?)?\b")
+_SAYS_WHAT = regex(r"type|default|desc|defin|expla|meaning|interface")
+_NOT_INTERFACE = regex(
     r"\bexamples?\b|\brviz|\bformats?\b|\btypes?\b|\.msg\b|::|\bfields?\b|\bmessages?\b|\boptions?\b"
 )
-_ROS_TYPE = re.compile(r"[a-z]\w*(?:/|::)(?:(?:msg|srv|action)s?(?:/|::))?[A-Z]\w*")
-_NAME = re.compile(r"[~/\w<{*.:?\[\]>}$-]+")
+_ROS_TYPE = regex(r"[a-z]\w*(?:/|::)(?:(?:msg|srv|action)s?(?:/|::))?[A-Z]\w*")
+_NAME = regex(r"[~/\w<{*.:?\[\]>}$-]+")
 
 
 @dataclass(frozen=True, slots=True)

@@ -8,6 +8,8 @@ import re
 from math import isclose
 from typing import Any
 
+from haros_ci.regex import regex
+
 _SCALARS = {
     "bool": ("bool", "boolean"),
     "int": ("int", "integer", "unsigned integer", "unsigned int", "uint", "long", "size_t"),
@@ -15,12 +17,12 @@ _SCALARS = {
     "str": ("string", "str", "std::string"),
 }
 _KINDS = {word: kind for kind, words in _SCALARS.items() for word in words}
-_LIST = re.compile(r"\b(?:list|vector|array|sequence)\b|\[")
-_NUMBER = re.compile(r"[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?")
+_LIST = regex(r"\b(?:list|vector|array|sequence)\b|\[")
+_NUMBER = regex(r"[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?")
 _NOTHING = frozenset(
     ("", "-", "--", "—", "n/a", "na", "none", "null", "nil", "?", "...", "undefined", "not set", "required", "tbd")
 )
-_TOKEN = re.compile(r"[\w./~-]+")
+_TOKEN = regex(r"[\w./~-]+")
 
 
 def type_differs(documented: str, kind: str, found: str | None) -> bool | None:

@@ -10,12 +10,14 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+
+from haros_ci.records import dataclass
+from haros_ci.regex import regex
 
 #: What can stand in the file as it is.
-_TOPIC = re.compile(r"/[A-Za-z0-9_/]{1,300}", re.ASCII)
-_TYPE = re.compile(r"([A-Za-z]\w{0,200})/(?:msg/)?([A-Za-z]\w{0,200})", re.ASCII)
-_UNFIT = re.compile(r"\W+", re.ASCII)
+_TOPIC = regex(r"/[A-Za-z0-9_/]{1,300}", re.ASCII)
+_TYPE = regex(r"([A-Za-z]\w{0,200})/(?:msg/)?([A-Za-z]\w{0,200})", re.ASCII)
+_UNFIT = regex(r"\W+", re.ASCII)
 MOST_PROPERTIES = 1_000
 
 

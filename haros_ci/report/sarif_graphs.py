@@ -4,9 +4,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass, field
 
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass, field
 from haros_ci.report.escape import terminal
 from haros_ci.report.message import label, literal
 from haros_ci.report.sarif_objects import om

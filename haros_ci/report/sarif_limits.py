@@ -4,8 +4,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
+from haros_ci.records import dataclass
 from haros_ci.results.result import BaselineState, Notification, Related, Result, Run, is_open
 from haros_ci.results.rule import Level, Rule
 

@@ -8,6 +8,7 @@ import uuid
 from collections.abc import Iterable
 
 from haros_ci import PROJECT_URL
+from haros_ci.regex import regex
 from haros_ci.report.escape import markdown, markdown_code, multiline, terminal, web_address
 from haros_ci.report.message import sentence, shorten
 from haros_ci.report.sarif_objects import om
@@ -23,8 +24,8 @@ CWE_URL = "https://cwe.mitre.org/"
 CWE_GUID = str(uuid.uuid5(uuid.NAMESPACE_URL, CWE_URL))
 CWE_VERSION = "4.15"
 #: Semantic Versioning 2.0.0; GitHub explains changed alerts by this property, so it must not lie.
-_SEMVER = re.compile(r"(?:0|[1-9]\d*)(?:\.(?:0|[1-9]\d*)){2}(?:-[0-9A-Za-z.-]+)?(?:\+[0-9A-Za-z.-]+)?")
-_WORDS = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+|\d+")
+_SEMVER = regex(r"(?:0|[1-9]\d*)(?:\.(?:0|[1-9]\d*)){2}(?:-[0-9A-Za-z.-]+)?(?:\+[0-9A-Za-z.-]+)?")
+_WORDS = regex(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+|\d+")
 
 #: What kinds of trouble there are; a notification's kind follows from what it names.
 TROUBLE = {

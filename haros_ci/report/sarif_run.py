@@ -7,11 +7,13 @@ import hashlib
 import re
 import uuid
 from collections.abc import Callable
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 from typing import Any
 from urllib.parse import quote
 
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass, field
+from haros_ci.regex import regex
 from haros_ci.report.escape import REPLACEMENT, terminal
 from haros_ci.report.message import label, linked, literal, number, sentence
 from haros_ci.report.sarif_fixes import build_fixes
@@ -28,7 +30,7 @@ CONTEXT_LINES = 3
 #: SARIF §3.24.10 and appendix names for the kinds of file that have one.
 LANGUAGES = {"cpp": "cplusplus", "python": "python", "setup": "python", "launch": "xml", "package": "xml", "xml": "xml"}
 #: Surrogates that stand for no byte of a file name.
-_STRAY = re.compile("[\ud800-\udc7f\udd00-\udfff]")
+_STRAY = regex("[\ud800-\udc7f\udd00-\udfff]")
 
 
 @dataclass(frozen=True, slots=True)

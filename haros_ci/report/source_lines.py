@@ -7,13 +7,14 @@ import re
 from collections.abc import Callable
 from functools import lru_cache
 
+from haros_ci.regex import regex
 from haros_ci.report.escape import terminal
 
 #: Reads a file of the workspace by its path; "" if it is not there.
 Reader = Callable[[str], str]
 
 MAX_QUOTED = 400
-_SECRET = re.compile(
+_SECRET = regex(
     r"""(?i:pass(?:word|wd)|secret|token|api_?key|credentials?)["']?\s*[:=]\s*["'](?P<value>[^"']{4,})"""
     r"""|\b(?:gh[pousr]_\w{20,}|github_pat_\w{20,}|glpat-[\w-]{20,}|AKIA[0-9A-Z]{16}|xox[abprs]-[\w-]{10,})"""
 )

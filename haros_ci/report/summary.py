@@ -4,8 +4,8 @@
 from __future__ import annotations
 
 from collections import Counter
-from dataclasses import dataclass
 
+from haros_ci.records import dataclass
 from haros_ci.results.counted import counted, is_counted
 from haros_ci.results.result import BaselineState, Notification, Report, is_open
 from haros_ci.results.rule import Level

@@ -6,10 +6,11 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 
+from haros_ci.regex import regex
 from haros_ci.report.escape import REPLACEMENT, terminal
 
 HEAD = '<?xml version="1.0" encoding="UTF-8"?>\n'
-_NO_CHARACTER = re.compile("[\ufffe\uffff]")  # XML 1.0 §2.2 leaves them out, beside those that ``terminal`` replaces
+_NO_CHARACTER = regex("[\ufffe\uffff]")  # XML 1.0 §2.2 leaves them out, beside those that ``terminal`` replaces
 
 
 def escaped(text: str) -> str:

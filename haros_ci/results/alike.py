@@ -7,11 +7,11 @@ copies (``haros_ci.results.copied``) only reports that a person reads join them,
 
 from __future__ import annotations
 
-import re
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 
+from haros_ci.regex import regex
 from haros_ci.results.result import BaselineState, Related, Result
 from haros_ci.results.rule import Level
 
@@ -45,11 +45,11 @@ OF_ONE_SHAPE = {
     "haros-ci:missing-install-source": ": git stores no directory that is empty",
 }
 
-_WORD = re.compile(r"\w+")
-_BRACKETS = re.compile(r"[ ]?\((?:[^()]|\([^()]*\)){0,300}\)")
+_WORD = regex(r"\w+")
+_BRACKETS = regex(r"[ ]?\((?:[^()]|\([^()]*\)){0,300}\)")
 #: Further things that a finding counts and does not name.
-_COUNTED = re.compile(r" and \d+ more(?= of them|,| are | is )")
-_TOKEN = re.compile(r"[\w./:-]*\w|[^\w\s]")
+_COUNTED = regex(r" and \d+ more(?= of them|,| are | is )")
+_TOKEN = regex(r"[\w./:-]*\w|[^\w\s]")
 
 
 def joined(results: Sequence[Result]) -> tuple[Result, ...]:

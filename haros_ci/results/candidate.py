@@ -4,9 +4,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Container, Iterable
-from dataclasses import dataclass, field
 from operator import itemgetter
 
+from haros_ci.records import dataclass, field
 from haros_ci.results.assignment import Place
 from haros_ci.results.fingerprint import EDGE
 from haros_ci.results.known import KnownFinding

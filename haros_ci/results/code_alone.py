@@ -6,13 +6,14 @@ from __future__ import annotations
 import re
 from functools import lru_cache
 
+from haros_ci.regex import regex
 from haros_ci.results.comments import PATTERNS
 
-_CODE = {kind: re.compile(PATTERNS[kind], re.MULTILINE) for kind in ("c", "python", "cmake", "shell")}
+_CODE = {kind: regex(PATTERNS[kind], re.MULTILINE) for kind in ("c", "python", "cmake", "shell")}
 #: A text of one word is a name or a key at most (``"__main__"``, ``row["x"]``, ``"steps"_a``); code takes more.
-_WORD = re.compile(r"[\w.]*")
+_WORD = regex(r"[\w.]*")
 _TRIPLE = ('"""', "'''")
-_NO_END = re.compile(r"[^\n]")
+_NO_END = regex(r"[^\n]")
 
 
 @lru_cache(maxsize=8)

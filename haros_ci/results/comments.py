@@ -5,7 +5,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
+
+from haros_ci.records import dataclass
+from haros_ci.regex import regex
 
 #: A quote in a number of at most 90 characters separates digits (``1'000``); one behind any other word begins a character (``case'a'``).
 _LONGEST_NUMBER = 90
@@ -57,8 +59,8 @@ _BY_LANGUAGE = {
 }
 _BY_SUFFIX = {".py": "python", ".yaml": "yaml", ".yml": "yaml", ".cfg": "yaml"}
 #: The end of a line of C++ that goes on in the next one ([lex.phases] 2).
-SPLICE = re.compile(r"\\[ \t]*\r?\n")
-_SPACE = re.compile(r"\s+")
+SPLICE = regex(r"\\[ \t]*\r?\n")
+_SPACE = regex(r"\s+")
 _LONG_LINE = 10_000  # characters; beyond, nobody writes a comment on a line of its own
 
 

@@ -7,9 +7,9 @@ Two branches that add or drop findings touch different lines, so that git merges
 from __future__ import annotations
 
 import json
-import re
 from collections.abc import Iterable
 
+from haros_ci.regex import regex
 from haros_ci.results.fingerprint import MOST_NAMES, names_digest
 from haros_ci.results.known import KnownFinding
 
@@ -34,7 +34,7 @@ _STRINGS = {
 }
 _REQUIRED = ("path", "tool", "rule")
 _HASHES = frozenset({"text", "shape", "before", "after", "roles"})
-_HASH = re.compile(r"[0-9a-f]{16}\Z")
+_HASH = regex(r"[0-9a-f]{16}\Z")
 _LONGEST = 4_000
 _ANEW = "restore it from git, or write it anew with 'haros-ci baseline create'"
 _CONFLICT = ("<<<<<<<", "|||||||", "=======", ">>>>>>>")

@@ -9,13 +9,14 @@ program matches place by place keeps every place.
 
 from __future__ import annotations
 
-import re
 from collections import defaultdict
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from posixpath import splitext
 
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass
+from haros_ci.regex import regex
 from haros_ci.results import alike as beside
 from haros_ci.results.across import across, standing_for
 from haros_ci.results.comments import bare, lines_of, syntax
@@ -32,8 +33,8 @@ LEAST_LINES = 5
 #: Names, beside those of the package and the path, in which copies may differ: one written in two ways.
 OTHER_NAMES = 2
 
-_TOKEN = re.compile(r"\w+|[^\w\s]")
-_WORD = re.compile(r"\w+")
+_TOKEN = regex(r"\w+|[^\w\s]")
+_WORD = regex(r"\w+")
 _LEAST_NAME = 3
 #: Numbers of functions are of each of them.
 _COUNTED = "metrics"

@@ -3,9 +3,10 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 from enum import Enum
+
+from haros_ci.regex import regex
 
 _CLASS_KEYS = frozenset({"class", "struct", "union", "enum"})
 KEYS = _CLASS_KEYS | {"namespace"}
@@ -19,8 +20,8 @@ _NOT_NAMES = frozenset(
 )
 _CONTROL = frozenset({"if", "for", "while", "switch", "catch", "do", "else", "try"})
 _QUALIFIERS = frozenset({"const", "volatile", "noexcept", "override", "final", "mutable", "&", "&&"})
-_WORD = re.compile(r"[A-Za-z_]")
-_MACRO = re.compile(r"[A-Z][A-Z0-9_]+\Z")
+_WORD = regex(r"[A-Za-z_]")
+_MACRO = regex(r"[A-Z][A-Z0-9_]+\Z")
 _LONGEST_ARGUMENTS = 120
 
 Item = str | list[str]  # a token, or the tokens of one parenthesis

@@ -6,21 +6,22 @@ from __future__ import annotations
 import re
 from bisect import bisect_right
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass
+from haros_ci.regex import regex
 from haros_ci.results.comments import comments, lines_of
 from haros_ci.results.result import Suppression
 
 _MARK = "haros:"
-_DIRECTIVE = re.compile(
+_DIRECTIVE = regex(
     r"haros:[ \t]*(?P<kind>ignore-next-line|ignore-line|ignore)(?![\w-])[ \t]*"
     r"(?:\[(?P<rules>[^\]\n]*)\])?(?P<reason>[^\n]*)"
 )
 #: The comments that clang-tidy and flake8 honour; metrics of ours do, too.
 _NATIVE = {
-    "c": ("NOLINT", re.compile(r"\bNOLINT(?P<next>NEXTLINE)?(?!\w)(?:\((?P<rules>[^)\n]*)\))?")),
-    "python": ("noqa", re.compile(r"#[ \t]*noqa(?P<next>)(?!\w)(?:[ \t]*:[ \t]*(?P<rules>[\w,\- \t]+))?")),
+    "c": ("NOLINT", regex(r"\bNOLINT(?P<next>NEXTLINE)?(?!\w)(?:\((?P<rules>[^)\n]*)\))?")),
+    "python": ("noqa", regex(r"#[ \t]*noqa(?P<next>)(?!\w)(?:[ \t]*:[ \t]*(?P<rules>[\w,\- \t]+))?")),
 }
 _MOST_SELECTORS = 100
 _LONGEST_REASON = 300

@@ -3,13 +3,14 @@
 
 from __future__ import annotations
 
-import re
 from bisect import bisect_left
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 from hashlib import sha256
 from itertools import islice
 
+from haros_ci.records import dataclass, field
+from haros_ci.regex import regex
 from haros_ci.results.comments import bare, lines_of, syntax
 from haros_ci.results.line_hash import github_line_hashes
 from haros_ci.results.result import Identity, Result, Run
@@ -26,10 +27,10 @@ _LEAST_CONTEXT = 8  # letters and digits
 _LONGEST_SNIPPET = 300
 _LONGEST_TEMPLATE = 300
 _SCOPED = ("cpp", "python")  # what scopes() reads; results in other files keep the scope that their tool gave
-_QUOTED = re.compile(r"(?<!\w)'[^'\n]{1,200}'(?!\w)|\"[^\"\n]{1,200}\"|`[^`\n]{1,200}`|‘[^’\n]{1,200}’|“[^”\n]{1,200}”")
-_WORD = re.compile(r"\w+")
-_NO_WORD = re.compile(r"\W+")
-_NUMBER = re.compile(r"(?<![A-Za-z_])\d+(?:\.\d+)*")
+_QUOTED = regex(r"(?<!\w)'[^'\n]{1,200}'(?!\w)|\"[^\"\n]{1,200}\"|`[^`\n]{1,200}`|‘[^’\n]{1,200}’|“[^”\n]{1,200}”")
+_WORD = regex(r"\w+")
+_NO_WORD = regex(r"\W+")
+_NUMBER = regex(r"(?<![A-Za-z_])\d+(?:\.\d+)*")
 
 
 def fingerprint(runs: Iterable[Run], text: Callable[[str], str], language: Callable[[str], str]) -> tuple[Run, ...]:

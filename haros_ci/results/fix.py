@@ -3,14 +3,15 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable
-from dataclasses import dataclass
+
+from haros_ci.records import dataclass
+from haros_ci.regex import regex
 
 #: As editors and XML have it; ``str.splitlines`` knows more ends than they do.
-LINE_END = re.compile(r"\r\n|\n|\r")
+LINE_END = regex(r"\r\n|\n|\r")
 #: What some readers take for the end of a line and others do not: where it stands, lines are not counted alike.
-_ODD_END = re.compile("\r(?!\n)|[\v\f\x1c-\x1e\x85\u2028\u2029]")
+_ODD_END = regex("\r(?!\n)|[\v\f\x1c-\x1e\x85\u2028\u2029]")
 #: Line and column, 1-based; columns count Unicode code points (SARIF §3.30).
 Point = tuple[int, int]
 

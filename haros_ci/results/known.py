@@ -4,9 +4,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, field
 
 from haros_ci.model.workspace import Workspace
+from haros_ci.records import dataclass, field
 from haros_ci.results.counted import is_set_aside
 from haros_ci.results.fingerprint import message_template, names_digest, roles_digest, sorted_names
 from haros_ci.results.result import BaselineState, Identity, Result, Run

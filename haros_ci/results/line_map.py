@@ -3,16 +3,16 @@
 
 from __future__ import annotations
 
-import re
 from bisect import bisect_right
 from collections import Counter
 from collections.abc import Callable
 from itertools import pairwise
 
+from haros_ci.regex import regex
 from haros_ci.results.comments import lines_of
 
-_WORD = re.compile(r"\w+")
-_SPACE = re.compile(r"\s+")
+_WORD = regex(r"\w+")
+_SPACE = regex(r"\s+")
 _LARGEST_TABLE = 40_000  # cells; a gap without unique lines beyond that is matched at its ends only
 _LARGEST_HUNK = 2_500  # cells; a larger hunk of edited lines maps by position
 _LEAST_SIMILARITY = 0.4

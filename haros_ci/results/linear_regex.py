@@ -6,9 +6,10 @@ The syntax is RE2's (https://github.com/google/re2/wiki/Syntax): Python's, witho
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any
+
+from haros_ci.records import dataclass
 
 MAX_PATTERN = 500  # characters
 MAX_GROUPS = 20

@@ -6,6 +6,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 
+from haros_ci.regex import regex
 from haros_ci.results.fingerprint import quoted_names
 
 #: Rules on names that are not there, or not declared: the name is the defect.
@@ -30,7 +31,7 @@ OF_UNUSED_NAMES = frozenset(
     """.split()
 )
 
-_AT_THE_END = re.compile(r": ([\w:.]+)\.?\Z")
+_AT_THE_END = regex(r": ([\w:.]+)\.?\Z")
 
 
 def is_other_defect(rule: str, before: str, after: str, base: str | None, head: Callable[[], str]) -> bool:

@@ -10,8 +10,8 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass
 
+from haros_ci.records import dataclass
 from haros_ci.results.candidate import Key, MatchCandidate, MatchedPair, grouped, picker
 from haros_ci.results.known import ComparedFiles, KnownFinding, identity_of
 from haros_ci.results.result import Result

@@ -4,11 +4,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 from enum import Enum
 
 from haros_ci.model.changes import Changes
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass, field
 from haros_ci.results.fix import Fix
 from haros_ci.results.rule import Level, Rule
 

@@ -3,11 +3,11 @@
 
 from __future__ import annotations
 
-import re
 from collections import defaultdict
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 
+from haros_ci.regex import regex
 from haros_ci.results.comments import bare, lines_of, syntax
 from haros_ci.results.fingerprint import digest, message_template
 from haros_ci.results.known import ComparedFiles, KnownFinding, identity_of
@@ -17,7 +17,7 @@ from haros_ci.results.result import Related, Result
 #: Rules that speak once of each use of a name that is not there: those of one name in one file have one cause.
 OF_A_NAME = frozenset("pylint:undefined-variable ruff:F821 flake8:F821 mypy:name-defined".split())
 
-_QUOTED = re.compile(r"'\w+'|\"\w+\"|`\w+`")
+_QUOTED = regex(r"'\w+'|\"\w+\"|`\w+`")
 #: Names that a message has beside the first.
 _SHOWN = 3
 

@@ -4,10 +4,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import Union
 
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass
 from haros_ci.results.json_shape import items, mapping, natural, string
 from haros_ci.results.result import Graph, Vertex
 

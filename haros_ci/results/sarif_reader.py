@@ -6,9 +6,10 @@ from __future__ import annotations
 import re
 from collections import Counter
 from collections.abc import Sequence
-from dataclasses import dataclass, field
 
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass, field
+from haros_ci.regex import regex
 from haros_ci.results.fingerprint import message_template, restore_identity
 from haros_ci.results.json_shape import boolean, items, mapping, natural, number, string, strings
 from haros_ci.results.result import Identity, Notification, Related, Result, Run, Suppression, Tool
@@ -26,12 +27,12 @@ _MAX_NOTIFICATIONS = 100
 _LONGEST_TEXT = 8_000
 _LONGEST_ID = 100
 _LONGEST_NAME = 1_000  # a compact baseline, which names the tool of each result, reads no longer text than 4,000
-_LINK = re.compile(r"\[((?:[^\[\]\\]|\\.){0,500})\]\(-?\d{1,9}\)")
-_ESCAPE = re.compile(r"\\([\[\]\\])")
-_PLACEHOLDER = re.compile(r"\{(\d{1,3})\}|(\{\{|\}\})")
+_LINK = regex(r"\[((?:[^\[\]\\]|\\.){0,500})\]\(-?\d{1,9}\)")
+_ESCAPE = regex(r"\\([\[\]\\])")
+_PLACEHOLDER = regex(r"\{(\d{1,3})\}|(\{\{|\}\})")
 #: §3.27.9: what these results say is not that something is wrong.
 _NO_FINDING = frozenset({"pass", "notApplicable", "informational"})
-_SECURITY_SEVERITY = re.compile(r"\d{1,2}(?:\.\d)?\Z")
+_SECURITY_SEVERITY = regex(r"\d{1,2}(?:\.\d)?\Z")
 
 
 def read_sarif(data: bytes, name: str, *, root: str = "") -> tuple[Run, ...]:

@@ -6,9 +6,10 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping, Sequence
 
+from haros_ci.regex import regex
 from haros_ci.results.json_shape import mapping, natural, string
 
-_SCHEME = re.compile(r"[A-Za-z][A-Za-z0-9+.-]*:")
+_SCHEME = regex(r"[A-Za-z][A-Za-z0-9+.-]*:")
 _DEEPEST_BASE = 10
 _LONGEST = 4_096
 

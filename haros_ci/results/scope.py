@@ -4,8 +4,8 @@
 from __future__ import annotations
 
 from bisect import bisect_right
-from dataclasses import dataclass
 
+from haros_ci.records import dataclass
 from haros_ci.results.comments import lines_of
 
 

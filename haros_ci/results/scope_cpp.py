@@ -5,19 +5,21 @@ from __future__ import annotations
 
 import re
 from bisect import bisect_right
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 
+from haros_ci.records import dataclass, field
+from haros_ci.regex import regex
 from haros_ci.results.comments import C_SKIPPED
 from haros_ci.results.declaration import KEYS, DeclarationKind, classify
 from haros_ci.results.scope import mark
 
 _SKIPPED = rf"{C_SKIPPED}|(?<=\#)(?:[^\n\\/]+|\\[\s\S]?|//[^\n]*|/\*[\s\S]*?(?:\*/|\Z)|/)*"
-_IN_BODY = re.compile(rf"""["'/\#{{}}](?:(?<=[{{}}])|{_SKIPPED})""")
-_IN_CONTAINER = re.compile(rf"""["'/\#{{}};](?:(?<=[{{}};])|{_SKIPPED})""")
-_TOKEN = re.compile(rf"""["'/\#](?:{_SKIPPED})|[A-Za-z_]\w*|\d(?:[\w.]|'(?=\w))*|::|->|<=>|[<>=!]=|[^\s\w]""")
+_IN_BODY = regex(rf"""["'/\#{{}}](?:(?<=[{{}}])|{_SKIPPED})""")
+_IN_CONTAINER = regex(rf"""["'/\#{{}};](?:(?<=[{{}};])|{_SKIPPED})""")
+_TOKEN = regex(rf"""["'/\#](?:{_SKIPPED})|[A-Za-z_]\w*|\d(?:[\w.]|'(?=\w))*|::|->|<=>|[<>=!]=|[^\s\w]""")
 _NO_TOKENS = ("//", "/*", "#")
 _ACCESS = frozenset({"public", "private", "protected", "signals", "slots", "Q_SIGNALS", "Q_SLOTS"})
-_CONDITIONAL = re.compile(r"#\s*(if|ifdef|ifndef|elif|elifdef|elifndef|else|endif)\b\s*(0\b)?")
+_CONDITIONAL = regex(r"#\s*(if|ifdef|ifndef|elif|elifdef|elifndef|else|endif)\b\s*(0\b)?")
 _LONGEST_NAME = 400
 _LONGEST_HEAD = 400  # tokens of a declaration that are kept; names stand at its front
 _DEEPEST_CONDITION = 64

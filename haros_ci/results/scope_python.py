@@ -5,11 +5,12 @@ from __future__ import annotations
 
 import re
 
+from haros_ci.regex import regex
 from haros_ci.results.comments import PYTHON_SKIPPED
 from haros_ci.results.scope import mark
 
-_HIDDEN = re.compile(rf"""["'#](?:{PYTHON_SKIPPED})""")
-_DEFINITION = re.compile(r"[ \t\f]*(?:(?:async[ \t]+)?def|class)[ \t]+(\w+)")
+_HIDDEN = regex(rf"""["'#](?:{PYTHON_SKIPPED})""")
+_DEFINITION = regex(r"[ \t\f]*(?:(?:async[ \t]+)?def|class)[ \t]+(\w+)")
 _LONGEST_NAME = 400
 
 

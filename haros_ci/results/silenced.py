@@ -7,9 +7,10 @@ import re
 from bisect import bisect_left
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass
 
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass
+from haros_ci.regex import regex
 from haros_ci.results.comments import bare, comments, lines_of, syntax
 from haros_ci.results.directives import code_lines, directives
 from haros_ci.results.line_map import line_mapper, words
@@ -21,15 +22,15 @@ _LARGEST_MAPPED = 1_000_000
 
 
 #: The comments of C++ that hold for more than a line, and what ends them.
-_BLOCK = re.compile(r"/[/*]\s*(?:cppcheck-suppress-(?:begin|(?P<macro>macro))\b|NOLINTBEGIN(?!\w))[^\n]*")
-_END = re.compile(r"/[/*]\s*(?:cppcheck-suppress-end\b|NOLINTEND(?!\w))")
-_WORD = re.compile(r"\w")
+_BLOCK = regex(r"/[/*]\s*(?:cppcheck-suppress-(?:begin|(?P<macro>macro))\b|NOLINTBEGIN(?!\w))[^\n]*")
+_END = regex(r"/[/*]\s*(?:cppcheck-suppress-end\b|NOLINTEND(?!\w))")
+_WORD = regex(r"\w")
 #: Comments of one line, and of a whole file, of tools that do not tell what they silence, as pylint does.
 _OF_LINES = frozenset(("NOLINT", "NOLINTNEXTLINE", "cppcheck-suppress", "noqa"))
 _OF_BLOCKS = ("cppcheck-suppress-begin", "cppcheck-suppress-end", "cppcheck-suppress-macro", "cppcheck-suppress-file")
 _OF_FILES = frozenset(("flake8: noqa", "ruff: noqa", "LINT_C_FILE"))
 #: Comments that name rules of style alone: cpplint's categories, codes of pycodestyle, pydocstyle, isort and naming.
-_OF_STYLE = re.compile(r"\ANOLINT\w*\((?:\w+/\w+[,)])+|noqa:(?:[EWIDQNC]\d+,?)+\Z", re.IGNORECASE)
+_OF_STYLE = regex(r"\ANOLINT\w*\((?:\w+/\w+[,)])+|noqa:(?:[EWIDQNC]\d+,?)+\Z", re.IGNORECASE)
 
 #: What a comment says, and a line.
 _Key = tuple[str, int | None]

@@ -5,8 +5,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 
+from haros_ci.records import dataclass
+from haros_ci.regex import regex
 from haros_ci.results.comments import SPLICE, Comment, comments, lines_of
 
 #: Kinds of syntax (``comments.syntax``) in which comments begin with a hash.
@@ -74,11 +75,9 @@ _HINTS = (
     "generated code",
 )  # fmt: skip
 #: A comment that keeps pylint out of a file: what it silences there nobody tells.
-_EVERYTHING = re.compile(r"pylint:[^\n]*\bdisable=(?:[\w,-]*,)?all\b")
+_EVERYTHING = regex(r"pylint:[^\n]*\bdisable=(?:[\w,-]*,)?all\b")
 #: What a generated file says of itself in its first lines.
-_GENERATED = re.compile(
-    r"(?i)\b(?:do not edit|auto-?generated|automatically generated|generated (?:by|from|file|code))\b"
-)
+_GENERATED = regex(r"(?i)\b(?:do not edit|auto-?generated|automatically generated|generated (?:by|from|file|code))\b")
 _HEAD = 10
 
 

@@ -8,12 +8,13 @@ and what is new and what is known are never joined.
 
 from __future__ import annotations
 
-import re
 from collections import Counter, defaultdict
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from posixpath import dirname, splitext
 
+from haros_ci.records import dataclass
+from haros_ci.regex import regex
 from haros_ci.results.across import cause, places_named
 from haros_ci.results.alike import UNITED
 from haros_ci.results.result import Result
@@ -30,11 +31,11 @@ PASTED = 2
 #: Findings of one rule that are compared with each other; the others stay as they are.
 MOST = 60
 
-_BLANKS = re.compile(r"\s+")
-_COMMENT = re.compile(r"<!--|-->")
-_WORD = re.compile(r"\w")
+_BLANKS = regex(r"\s+")
+_COMMENT = regex(r"<!--|-->")
+_WORD = regex(r"\w")
 #: What follows what a finding says of itself: the others that it stands for.
-_OTHERS = re.compile(r"; and (?:the same (?:in|of) |\d+ more like it)")
+_OTHERS = regex(r"; and (?:the same (?:in|of) |\d+ more like it)")
 
 
 @dataclass(frozen=True, slots=True)

@@ -3,17 +3,17 @@
 
 from __future__ import annotations
 
-import re
 import shlex
 from collections.abc import Mapping
-from dataclasses import dataclass
 
+from haros_ci.records import dataclass
+from haros_ci.regex import regex
 from haros_ci.robot.places import as_xacro
 from haros_ci.robot.unknown import UNKNOWN, UnknownValue
 
 MAX_LENGTH = 20_000
 _SPACE = "\x1f"
-_DIRECTORY = re.compile(r"\$\(([\w-]+) ([^\s()]+)\)")
+_DIRECTORY = regex(r"\$\(([\w-]+) ([^\s()]+)\)")
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,7 +6,7 @@ from __future__ import annotations
 import re
 from collections import Counter
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 
 from haros_ci.launch.facts.files import Finder
 from haros_ci.model.build import Build
@@ -14,6 +14,8 @@ from haros_ci.model.location import Location
 from haros_ci.model.package import Package
 from haros_ci.model.robot import Description, Robot
 from haros_ci.model.workspace import Problem, Workspace
+from haros_ci.records import dataclass, field
+from haros_ci.regex import regex
 from haros_ci.robot.commands import xacro_command
 from haros_ci.robot.places import by_builds, found
 from haros_ci.robot.sources import DescriptionSources
@@ -22,10 +24,10 @@ from haros_ci.robot.urdf import read_robot
 
 #: Files that may say with which arguments xacro is run.
 _CALLERS = ("launch", "python", "cmake", "yaml")
-_PASSED = re.compile(r"(?<![\w.])([A-Za-z_]\w*)\s*:=|[\"']([A-Za-z_]\w*)[\"']\s*:")
+_PASSED = regex(r"(?<![\w.])([A-Za-z_]\w*)\s*:=|[\"']([A-Za-z_]\w*)[\"']\s*:")
 #: A name behind ``:=``, as it stands or in Python: ``" control:=", part``, ``f"control:={part}"``.
-_VALUE = re.compile(r":=[\"' \t,+{]{0,20}(?:f[\"'][\"' \t,+{]{0,20})?(\w+)")
-_HOLE = re.compile(r"\$\{[^}]*\}|\$\([^)]*\)|\*|\?|\[[^]]*\]")
+_VALUE = regex(r":=[\"' \t,+{]{0,20}(?:f[\"'][\"' \t,+{]{0,20})?(\w+)")
+_HOLE = regex(r"\$\{[^}]*\}|\$\([^)]*\)|\*|\?|\[[^]]*\]")
 #: Descriptions that are expanded on their own, at most.
 MAX_FILES = 2_000
 #: Names of arguments that launch files may give; with more of them any argument may be given.

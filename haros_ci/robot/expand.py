@@ -7,11 +7,12 @@ What is not known goes both ways: both branches of an unknown condition are expa
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 from haros_ci.model.robot import Fault
 from haros_ci.model.workspace import Problem
+from haros_ci.records import dataclass
 from haros_ci.robot.calling import Calling
 from haros_ci.robot.functions import TooMuch
 from haros_ci.robot.legacy import LEGACY, fits, is_call

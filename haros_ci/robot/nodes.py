@@ -4,11 +4,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field
 
 from haros_ci.model.element import Element
 from haros_ci.model.location import Location
 from haros_ci.model.robot import Way
+from haros_ci.records import dataclass, field
 from haros_ci.robot.unknown import UnknownValue
 
 

@@ -8,10 +8,11 @@ import re
 from haros_ci.launch.facts.files import Finder
 from haros_ci.model.launch_facts import FileUse
 from haros_ci.model.location import Location
+from haros_ci.regex import regex
 from haros_ci.robot.sources import FIND, Located, Look
 
 _NOWHERE = Location(".")
-_FIND_OR_END = re.compile(r"\$\(find(?:-pkg-share)? |\)")
+_FIND_OR_END = regex(r"\$\(find(?:-pkg-share)? |\)")
 
 
 def by_builds(finder: Finder) -> Look:

@@ -4,10 +4,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, field
 from typing import Any
 
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass, field
 from haros_ci.robot.expressions import Invalid, Undefined
 from haros_ci.robot.functions import BUILTINS, MATH, PYTHON_MODULE, Module
 from haros_ci.robot.nodes import XmlNode

@@ -5,12 +5,12 @@ from __future__ import annotations
 
 import fnmatch
 import posixpath
-import re
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
 
 from haros_ci.model.build import NOT_KNOWN, WrittenFile
 from haros_ci.model.workspace import Problem, Workspace
+from haros_ci.records import dataclass, field
+from haros_ci.regex import regex
 from haros_ci.robot.nodes import XmlNode, nodes_of
 from haros_ci.robot.unknown import UNKNOWN
 from haros_ci.workspace.xml import XmlError, parse_xml
@@ -18,7 +18,7 @@ from haros_ci.workspace.xml import XmlError, parse_xml
 #: What ``$(find pkg)`` and the directory of a file become inside texts, so that they can be recognised again.
 FIND = "/find:/"
 HERE = "/here:/"
-_PATTERN = re.compile(r"[*[?]")
+_PATTERN = regex(r"[*[?]")
 MAX_STEPS = 3_000_000
 MAX_PATTERN = 300
 

@@ -7,7 +7,9 @@ import re
 from collections.abc import Iterable, Iterator
 from functools import lru_cache
 
-_PARTS = re.compile(
+from haros_ci.regex import regex
+
+_PARTS = regex(
     r"(?P<escape>\$\$+[{(])|\$\{(?P<expression>[^}]*)\}|\$\((?P<substitution>[^)]*)\)|(?P<text>[^$]+|\$[^{($]+|\$\Z)"
 )
 
@@ -59,12 +61,12 @@ def truth(value: object) -> bool | None:
         return None
 
 
-_PARAMETER = re.compile(r"\s*([^\s:=]+)\s*:?=(\s*)(\^\|?)?")
+_PARAMETER = regex(r"\s*([^\s:=]+)\s*:?=(\s*)(\^\|?)?")
 #: The first alternatives of a default: lazy, so they end at the first bracket that a blank follows.
-_SUBSTITUTED = re.compile(r"\$\{.*?\}(?=\s|\Z)|\$\(.*?\)(?=\s|\Z)", re.DOTALL)
-_PLAIN = re.compile(r"[^\s'\"]+")
+_SUBSTITUTED = regex(r"\$\{.*?\}(?=\s|\Z)|\$\(.*?\)(?=\s|\Z)", re.DOTALL)
+_PLAIN = regex(r"[^\s'\"]+")
 #: What is no name of a parameter that a call could give, by XML: xacro had no default to split off.
-_UNREAD = re.compile(r"[\"'=<>{}$()]|:\Z")
+_UNREAD = regex(r"[\"'=<>{}$()]|:\Z")
 #: Places that are tried for the end of one default.
 MAX_TRIES = 2_000
 MAX_PARAMETERS = 300

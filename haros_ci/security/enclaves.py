@@ -3,11 +3,10 @@
 
 from __future__ import annotations
 
-import re
-
 from haros_ci.model.architecture import Node
+from haros_ci.regex import regex
 
-_ENCLAVE = re.compile(r"(?:^|\s)(?:--enclave|-e)\s+(/[\w/]*|[\w/]+)")
+_ENCLAVE = regex(r"(?:^|\s)(?:--enclave|-e)\s+(/[\w/]*|[\w/]+)")
 #: What the client libraries make and use in every node: the log, parameter events and services, time, types.
 COMMON_TOPICS = frozenset(("/rosout", "/parameter_events", "/clock"))
 COMMON_SERVICES = frozenset(

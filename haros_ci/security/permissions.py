@@ -9,11 +9,11 @@ article on topic and service names). A ``*`` in a rule stands for anything, ``/`
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 from fnmatch import fnmatchcase
 from itertools import islice
 
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass
 
 #: The attributes of a policy's lists, with the kind of end that each is about.
 ENDS = {

@@ -8,12 +8,12 @@ profile with an include that cannot be followed is not whole: nothing can be sai
 from __future__ import annotations
 
 import posixpath
-import re
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
 
 from haros_ci.model.element import Element
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass
+from haros_ci.regex import regex
 from haros_ci.security.permissions import ENDS, LISTS, Permission
 
 MAX_DEPTH = 8
@@ -23,7 +23,7 @@ MAX_INCLUDES = 2_000
 #: Elements that includes may bring.
 MAX_INCLUDED = 20_000
 MAX_NAME = 300
-_POINTER = re.compile(r"xpointer\((/[\w/]+)/\*\)")
+_POINTER = regex(r"xpointer\((/[\w/]+)/\*\)")
 #: An element with the path of the file that it stands in.
 Placed = tuple[Element, str]
 

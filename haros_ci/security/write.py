@@ -8,18 +8,18 @@ relative, others in full. Lists and entries are sorted, so that the same system 
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 from xml.sax.saxutils import escape, quoteattr
 
 from haros_ci.model.architecture import Node
+from haros_ci.records import dataclass
+from haros_ci.regex import regex
 from haros_ci.security.enclaves import enclave_of
 from haros_ci.security.permissions import ENDS, LISTS
 
 VERSION = "0.2.0"
 #: A name that can stand in a policy: no pattern, and nothing that XML or a terminal takes for something else.
-_NAME = re.compile(r"/[^\s*?\[\]#]*")
+_NAME = regex(r"/[^\s*?\[\]#]*")
 #: What each node takes besides what the model has: time sources listen to /clock and /parameter_events (rclcpp, rclpy).
 LISTENS = ("/clock", "/parameter_events")
 

@@ -5,14 +5,15 @@ from __future__ import annotations
 
 import hashlib
 import json
-import re
 from collections.abc import Sequence
-from dataclasses import dataclass
 from heapq import heapify, heapreplace
+
+from haros_ci.records import dataclass
+from haros_ci.regex import regex
 
 #: As many jobs as a matrix may have.
 MOST_SHARDS = 256
-_SHARD = re.compile(r"([1-9][0-9]{0,3})/([1-9][0-9]{0,3})")
+_SHARD = regex(r"([1-9][0-9]{0,3})/([1-9][0-9]{0,3})")
 
 
 @dataclass(frozen=True, slots=True)

@@ -4,8 +4,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
 
+from haros_ci.records import dataclass
 from haros_ci.results.result import Run
 from haros_ci.shards.shard import BASE, HEAD, Header, RecordedAnswer, Shard, ShardError
 from haros_ci.shards.shard_file import SAME, value_of

@@ -4,8 +4,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 
+from haros_ci.records import dataclass
 from haros_ci.results.result import Run
 
 #: The revision under analysis and the one that it is compared with.

@@ -8,6 +8,7 @@ import re
 from collections.abc import Iterator
 from typing import Any
 
+from haros_ci.regex import regex
 from haros_ci.results.confined import SENTENCES
 from haros_ci.results.values import LARGEST, NotThat, is_inside, plain, read
 from haros_ci.shards.shard import SIDES, Failed, Had, Header, RecordedAnswer, Shard, ShardError, WorkspaceRun
@@ -20,9 +21,9 @@ MAX_LINE = 64_000_000
 _MAX_VALUES = 8_000_000
 
 _STRING = r'"(?:[^"\\]|\\.)*"'
-_ANSWER = re.compile(rf'\["answer",({_STRING}),({_STRING}),"([0-9a-f]{{64}})",([0-9]{{1,15}}|null),(.*)\]')
-_LONG_NUMBER = re.compile(r"[0-9]{400}")
-_KEY = re.compile(r"[0-9a-f]{64}")
+_ANSWER = regex(rf'\["answer",({_STRING}),({_STRING}),"([0-9a-f]{{64}})",([0-9]{{1,15}}|null),(.*)\]')
+_LONG_NUMBER = regex(r"[0-9]{400}")
+_KEY = regex(r"[0-9a-f]{64}")
 
 
 def written(shard: Shard) -> str:

@@ -5,9 +5,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Collection
-from dataclasses import dataclass
 
 from haros_ci.model.workspace import Workspace
+from haros_ci.records import dataclass
 
 #: Directories that hold other people's code, by the names that have only that meaning.
 VENDORED = frozenset(("third_party", "thirdparty", "third-party", "3rdparty", "3rd_party", "vendor", "vendored"))

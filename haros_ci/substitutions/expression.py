@@ -6,7 +6,6 @@ from __future__ import annotations
 import ast
 import math
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
 from typing import Any, ClassVar
 
 from haros_ci.bounded_python.evaluation import Evaluation
@@ -14,6 +13,7 @@ from haros_ci.bounded_python.functions import FUNCTIONS, Function
 from haros_ci.bounded_python.language import ARITHMETIC, COMPARISONS, POWER, SYNTAX, Language
 from haros_ci.bounded_python.limits import Limits, NotFollowed, TooMuch, check_text_method, parsed
 from haros_ci.model.environment import lost_of
+from haros_ci.records import dataclass, field
 from haros_ci.substitutions.names import Text, literal, quoted
 from haros_ci.substitutions.presence import OTHER
 from haros_ci.substitutions.types import convert

@@ -6,15 +6,16 @@ from __future__ import annotations
 import posixpath
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass
 
 from haros_ci.model.workspace import Workspace
+from haros_ci.records import dataclass
+from haros_ci.regex import regex
 from haros_ci.substitutions.names import Text, quoted
 
 #: What ``$(dirname)`` of a file outside any package begins with: the root of the workspace.
 ROOT = "$(workspace)"
 
-_FIND = re.compile(r"\$\(find ([^\s()]+)\)(.*)\Z", re.DOTALL)
+_FIND = regex(r"\$\(find ([^\s()]+)\)(.*)\Z", re.DOTALL)
 
 
 @dataclass(frozen=True, slots=True)

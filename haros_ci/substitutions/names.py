@@ -3,12 +3,12 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, field
 
 from haros_ci.model.architecture import Unknown
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass, field
+from haros_ci.regex import regex
 
 #: Stands for an unknown part inside a text; shown as ``?``.
 MARK = "\ue000"
@@ -18,7 +18,7 @@ MAX_UNKNOWN = 1_000
 MAX_STEPS = 16
 MAX_ARGUMENTS = 40
 
-_LEGAL = re.compile(r"[~/A-Za-z][\w/]*\Z")
+_LEGAL = regex(r"[~/A-Za-z][\w/]*\Z")
 
 
 @dataclass(frozen=True, slots=True, eq=False)

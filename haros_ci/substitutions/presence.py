@@ -13,10 +13,11 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 from itertools import combinations, product
 
 from haros_ci.model.presence import Choice, Presence, choice, together
+from haros_ci.records import dataclass, field
 from haros_ci.substitutions.names import MARK, Origin, Text, derived, literal, unknown
 
 #: Arguments by name with the values that they are assumed to have.

@@ -5,20 +5,22 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 
 from haros_ci.model.environment import chosen_of, lost_of
+from haros_ci.records import dataclass, field
+from haros_ci.regex import regex
 from haros_ci.substitutions.expression import ExpressionScopes, Undecided, Wrong, evaluate
 from haros_ci.substitutions.names import Text, join_texts, literal, quoted, unknown
 
 COMMANDS = ("find", "env", "optenv", "dirname", "anon", "arg")
 _EVAL = "$(eval "
 #: A text that names a file.
-_FILE = re.compile(
+_FILE = regex(
     r"\$\(find [^()]*\)|\.(?:launch|test|xml|ya?ml|urdf|xacro|srdf|sdf|world|rviz|py|lua|csv|bt|perspective)\Z"
 )
 #: An environment variable without a default, in an expression.
-_OPTIONAL = re.compile(
+_OPTIONAL = regex(
     r"\boptenv\s*\(\s*(?P<a>['\"])(?P<name>\w+)(?P=a)\s*(?:,\s*(?P<b>['\"])(?P<default>[^'\"]*)(?P=b)\s*)?\)"
 )
 

@@ -7,18 +7,19 @@ As rosparam reads it (wiki rosparam, "YAML format"): YAML 1.1, ``deg(...)``, ``r
 from __future__ import annotations
 
 import math
-import re
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any, ClassVar
 
 from haros_ci.bounded_yaml import MAX_NUMBER, MERGE, TAG, Composer, YamlFault, YamlLimits
+from haros_ci.records import dataclass
+from haros_ci.regex import regex
 from haros_ci.substitutions.expression import ExpressionScopes, Undecided, Wrong, compute
 from haros_ci.substitutions.names import MARK, Text, quoted, unknown
 
 LIMITS = YamlLimits(characters=1_000_000, depth=50, aliases=1_000, values=50_000)
 
 _SCALARS = {TAG + name for name in ("str", "int", "float", "bool", "null", "timestamp", "value", "binary")}
-_ANGLE = re.compile(r"(deg|rad)\([^)]*\)\Z")
+_ANGLE = regex(r"(deg|rad)\([^)]*\)\Z")
 _ANGLES = {"!degrees": "deg", "!radians": "rad"}
 
 

@@ -7,12 +7,13 @@ import re
 
 import msgspec
 
+from haros_ci.regex import regex
 from haros_ci.syntax.program import Program
 from haros_ci.syntax.walk import Part
 
 _ENCODER = msgspec.json.Encoder()
 _DECODER = msgspec.json.Decoder(Program)
-_BEYOND_ASCII = re.compile(r"[^\x00-\x7f]")
+_BEYOND_ASCII = regex(r"[^\x00-\x7f]")
 
 
 def encoded(program: Program) -> str | None:

@@ -3,8 +3,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
+from haros_ci.records import dataclass
 from haros_ci.syntax.program import Program
 
 

@@ -9,7 +9,7 @@ from the parameter files that it is given.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from haros_ci.graph.names import clean
 from haros_ci.graph.ros2_process import Parameters
@@ -17,6 +17,7 @@ from haros_ci.graph.words import shell_words
 from haros_ci.model.architecture import Unknown
 from haros_ci.model.launch import LaunchedNode, ParameterRule
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass
 from haros_ci.values.abstract import Known, Opaque
 
 PACKAGE = "controller_manager"

@@ -10,23 +10,24 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
 
 from haros_ci.index.compiled import CompiledAs
 from haros_ci.model.build import Build, CMakeCommand, Target
+from haros_ci.records import dataclass, field
+from haros_ci.regex import regex
 
 _SCOPES = ("PRIVATE", "PUBLIC", "INTERFACE")
 _LINK_SCOPES = {"PUBLIC": "PUBLIC", "LINK_PUBLIC": "PUBLIC", "LINK_INTERFACE_LIBRARIES": "INTERFACE"}
 _LINK_SCOPES |= {"PRIVATE": "PRIVATE", "LINK_PRIVATE": "PRIVATE", "INTERFACE": "INTERFACE"}
 #: ``A``, ``A=1``, ``-DA``: a name, and what comes after it.
-_DEFINITION = re.compile(r"(?:[-/]D\s*)?([A-Za-z_]\w*)(=.*)?\Z", re.DOTALL)
-_FLAG = re.compile(r"(?:^|(?<=[\s;\"']))[-/]([DU])\s*([A-Za-z_]\w*)(=[^\s;]*)?(?=[\s;\"']|\Z)")
-_VALUE = re.compile(r"[\w.+-]{0,40}")
+_DEFINITION = regex(r"(?:[-/]D\s*)?([A-Za-z_]\w*)(=.*)?\Z", re.DOTALL)
+_FLAG = regex(r"(?:^|(?<=[\s;\"']))[-/]([DU])\s*([A-Za-z_]\w*)(=[^\s;]*)?(?=[\s;\"']|\Z)")
+_VALUE = regex(r"[\w.+-]{0,40}")
 _FLAGS = ("COMPILE_FLAGS", "COMPILE_OPTIONS")
 #: Commands that say something of macros for some files, or take it back: what they name may or may not be defined.
 _DOUBTFUL = ("remove_definitions", "set_source_files_properties", "set_directory_properties")
 #: Commands that make targets, by their names.
-_MAKING = re.compile(r"add_(?:\w{0,20}_)?(?:executable|library)|add_(?:gtest|gmock|nodelet|node|component|plugin)")
+_MAKING = regex(r"add_(?:\w{0,20}_)?(?:executable|library)|add_(?:gtest|gmock|nodelet|node|component|plugin)")
 #: Libraries that are linked by those that are linked.
 _DEEPEST = 200
 

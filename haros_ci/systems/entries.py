@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import posixpath
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from haros_ci import syntax
 from haros_ci.follow.follow import Entry
@@ -13,6 +13,7 @@ from haros_ci.index.index import Index, Source, aliased, is_test
 from haros_ci.index.plugins import PluginDescription, written_type
 from haros_ci.index.types import resolve_type
 from haros_ci.model.build import Build, PluginClass, Target
+from haros_ci.records import dataclass
 from haros_ci.syntax import Argument, Class
 
 #: The base class that a plug-in needs to be a nodelet.

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
 from functools import partial
 from typing import Any
 
@@ -27,6 +26,7 @@ from haros_ci.model.build import ConfigFile, PluginClass
 from haros_ci.model.faults import FAULTS, fault
 from haros_ci.model.location import Location
 from haros_ci.model.workspace import Problem
+from haros_ci.records import dataclass, field
 from haros_ci.systems.entries import Programs
 from haros_ci.systems.known.entry import KnownNode
 from haros_ci.values.abstract import Value

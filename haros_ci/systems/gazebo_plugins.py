@@ -8,7 +8,7 @@ gz-sim (``Configure``, ``PreUpdate``, ``Update``, ``PostUpdate``, ``Reset``).
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import partial
 
 from haros_ci.follow import activation, callbacks, construct, methods
@@ -26,6 +26,7 @@ from haros_ci.model.architecture import Node, Unknown
 from haros_ci.model.build import Target
 from haros_ci.model.location import Location
 from haros_ci.model.workspace import Problem
+from haros_ci.records import dataclass
 from haros_ci.syntax import Class, Function
 from haros_ci.systems import ros2_system
 from haros_ci.systems.entries import Programs, files_of, linkable

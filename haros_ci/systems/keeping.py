@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cache
 from typing import Any
 
@@ -15,6 +15,7 @@ from haros_ci.keeping import consulted, kept
 from haros_ci.keeping.kept import Earlier, Followed
 from haros_ci.model.api import Row
 from haros_ci.model.once import once
+from haros_ci.records import dataclass
 from haros_ci.syntax import Program
 from haros_ci.systems.following import Types
 

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 
 from haros_ci.graph.ros2_process import matches
 from haros_ci.launch.facts.files import Finder
@@ -13,6 +13,7 @@ from haros_ci.model.architecture import Node
 from haros_ci.model.build import Build
 from haros_ci.model.launch_facts import ConstructUse, FileUse, LaunchFact, NodePattern, PackageUse, ProgramUse
 from haros_ci.model.workspace import Workspace
+from haros_ci.records import dataclass, field
 from haros_ci.systems.following import Types
 from haros_ci.systems.system import Job
 

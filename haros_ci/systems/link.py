@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 from functools import partial
 from itertools import islice
 from typing import Any
@@ -30,6 +30,7 @@ from haros_ci.model.launch import LaunchFile
 from haros_ci.model.launch_actions import Description
 from haros_ci.model.launch_facts import LaunchFact
 from haros_ci.model.workspace import Problem, Workspace
+from haros_ci.records import dataclass, field
 from haros_ci.systems import (
     controllers,
     keeping,

@@ -8,7 +8,7 @@ solvers, capabilities of move_group, plug-ins of rqt. The program is not known, 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import partial
 
 from haros_ci import syntax
@@ -27,6 +27,7 @@ from haros_ci.model.architecture import Node, Unknown
 from haros_ci.model.build import PluginClass
 from haros_ci.model.location import Location
 from haros_ci.model.workspace import Problem
+from haros_ci.records import dataclass
 from haros_ci.syntax import Class, Function
 from haros_ci.systems import ros1_controllers, ros2_controllers, ros2_entries, ros2_system
 from haros_ci.systems.entries import NODELET, base_of, described_classes

@@ -9,7 +9,7 @@ from __future__ import annotations
 from bisect import bisect_left
 from collections.abc import Callable as Callable_
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 from functools import partial
 
 from haros_ci import syntax
@@ -25,6 +25,7 @@ from haros_ci.index.types import pointee
 from haros_ci.model.architecture import LIBRARY, Node, Unknown
 from haros_ci.model.location import Location
 from haros_ci.model.workspace import Problem
+from haros_ci.records import dataclass, field
 from haros_ci.syntax import Class, Function, Type
 from haros_ci.systems import ros2_system
 from haros_ci.systems.following import Types

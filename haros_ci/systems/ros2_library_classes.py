@@ -3,16 +3,16 @@
 
 from __future__ import annotations
 
-import re
 from bisect import bisect_right
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
 from functools import partial
 
 from haros_ci import syntax
 from haros_ci.index.index import HEADERS, Index, Source
 from haros_ci.index.relevance import Relevance
 from haros_ci.index.types import pointee, resolve_type
+from haros_ci.records import dataclass
+from haros_ci.regex import regex
 from haros_ci.syntax import Class, Function, Type
 from haros_ci.systems.entries import files_of
 from haros_ci.systems.following import Types
@@ -24,7 +24,7 @@ PARTS = "rclcpp::node_interfaces::Node"
 #: Methods that hand a node to an object that is there already.
 STARTING = ("configure", "initialize", "initialise", "init")
 #: Directories of what is not for others to use.
-ASIDE = re.compile(r"^(tests?|testing|examples?)$|_(tests?|testing|examples?)$")
+ASIDE = regex(r"^(tests?|testing|examples?)$|_(tests?|testing|examples?)$")
 #: Base classes of base classes that are looked at.
 DEEPEST = 8
 

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cache
 from typing import Any
 
@@ -16,6 +16,7 @@ from haros_ci.graph.ros2_process import Parameters, Process, RemappingRule
 from haros_ci.keeping.kept import Followed, digest_of
 from haros_ci.model.architecture import Node, RemapRule
 from haros_ci.model.workspace import Problem
+from haros_ci.records import dataclass
 from haros_ci.systems import sharing
 from haros_ci.systems.following import Types, files_key, followed_in
 from haros_ci.values.abstract import Known, Value

@@ -18,13 +18,14 @@ from haros_ci.follow.twins import Twin
 from haros_ci.graph.names import clean
 from haros_ci.graph.ros2_process import NAMES, SPACES, RemappingRule, RosNode
 from haros_ci.keeping.kept import Followed
+from haros_ci.regex import regex
 from haros_ci.systems.following import same
 from haros_ci.values.abstract import Known, Value
 from haros_ci.values.given import AsGiven, Unseen, shape
 from haros_ci.values.marks import BEGIN, END, PARAMETER, filled
 
-_NAME = re.compile(r"[A-Za-z]\w{0,100}", re.ASCII)
-_SPACE = re.compile(r"/|/?[A-Za-z][\w/]{0,100}", re.ASCII)
+_NAME = regex(r"[A-Za-z]\w{0,100}", re.ASCII)
+_SPACE = regex(r"/|/?[A-Za-z][\w/]{0,100}", re.ASCII)
 
 Rules = tuple[RemappingRule, ...]
 

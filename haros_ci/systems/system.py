@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Hashable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import partial
 from typing import Any
 
@@ -25,6 +25,7 @@ from haros_ci.model.launch import Started
 from haros_ci.model.launch_facts import ParameterFileUse
 from haros_ci.model.location import Location
 from haros_ci.model.workspace import Problem
+from haros_ci.records import dataclass
 from haros_ci.systems import outside
 from haros_ci.systems.following import Instance, Types, incomplete, run_node
 from haros_ci.values.abstract import Known, Value

@@ -7,13 +7,14 @@ Which nodes are left out depends on their order alone: not on how many processes
 from __future__ import annotations
 
 from collections.abc import Callable, Hashable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 from functools import partial
 from typing import Any
 
 from haros_ci.keeping.kept import Followed
 from haros_ci.model.architecture import Node, Unknown
 from haros_ci.model.workspace import Problem
+from haros_ci.records import dataclass, field
 from haros_ci.systems.following import Types
 from haros_ci.systems.system import Job
 

@@ -8,12 +8,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
 
 from haros_ci.behaviour.clauses import Atom, Clause, Clauses, TooMany, is_possible, joined
 from haros_ci.behaviour.messages import FLOATS, INTEGERS, TEXTS, Message
 from haros_ci.interfaces.definitions import FieldType
 from haros_ci.monitor_files.literals import literal
+from haros_ci.records import dataclass
 from haros_ci.test_files.types import LENGTH, Path, Types, bits_of, call, path_of
 
 #: Alternatives of one strategy, and items by which an array is made longer than a condition asks.

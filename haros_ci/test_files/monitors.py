@@ -4,12 +4,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 
 from haros_ci.behaviour.tree import Event, Property
 from haros_ci.monitor_files.classes import Described, TooDeep, class_text
 from haros_ci.monitor_files.core import core_text
 from haros_ci.monitoring.patterns import monitor_of
+from haros_ci.records import dataclass
 from haros_ci.test_files.suite import Suite
 
 #: How a module of monitors begins.

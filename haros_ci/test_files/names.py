@@ -3,11 +3,11 @@
 
 from __future__ import annotations
 
-import re
+from haros_ci.regex import regex
 
 #: Characters of an identifier that come of a name.
 LONGEST = 60
-_OTHER = re.compile(r"[^A-Za-z0-9]+")
+_OTHER = regex(r"[^A-Za-z0-9]+")
 
 
 def identifier(text: str, taken: set[str] | None = None) -> str:

@@ -8,11 +8,11 @@ match); here the terminator waits until every answer is there or too late, and `
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
 
 from haros_ci.behaviour.clauses import Clause, Clauses, Reader, TooMany
 from haros_ci.behaviour.tree import Binary, Event, Expression, PatternKind, Property, ScopeKind, Variable, parts
 from haros_ci.monitor_files.literals import literal
+from haros_ci.records import dataclass, field
 from haros_ci.test_files.conditions import Boundaries, Scalar, Strategies, both, boundaries
 from haros_ci.test_files.suite import Suite, Tested
 from haros_ci.test_files.types import Path, TooLarge, Types

@@ -4,11 +4,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
 from typing import Any
 
 from haros_ci.behaviour.messages import Messages, Scene
 from haros_ci.behaviour.tree import Event, Expression, Property
+from haros_ci.records import dataclass, field
 
 #: The value of a constant of a message, by the expression that names it; None for what is none, or not known.
 Constants = Callable[[Event, Expression], Any]

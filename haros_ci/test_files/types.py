@@ -5,11 +5,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
 
 from haros_ci.behaviour.messages import FLOATS, INTEGERS, TEXTS, Constant, Message, Messages
 from haros_ci.interfaces.definitions import FieldType, field_type
 from haros_ci.monitor_files.literals import literal
+from haros_ci.records import dataclass, field
+from haros_ci.regex import regex
 from haros_ci.test_files.names import identifier
 
 #: Types that one message is made of, and how deep they lie in each other.
@@ -20,8 +21,8 @@ MOST_ITEMS = 2_000
 Path = tuple[str | int, ...]
 LENGTH = "len()"
 
-_STEP = re.compile(r"\.?(?P<name>[A-Za-z_]\w*)|\[(?P<index>\d{1,6})\]", re.ASCII)
-_LEN = re.compile(r"len\((?P<inner>[^()]*)\)\Z")
+_STEP = regex(r"\.?(?P<name>[A-Za-z_]\w*)|\[(?P<index>\d{1,6})\]", re.ASCII)
+_LEN = regex(r"len\((?P<inner>[^()]*)\)\Z")
 _TIME = ("time", "duration")
 
 

@@ -8,11 +8,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from importlib.resources import files
 from textwrap import indent
 
 from haros_ci.monitor_files.literals import literal
+from haros_ci.records import dataclass
 from haros_ci.test_files.monitors import Monitors, monitors_of, roles_of
 from haros_ci.test_files.names import identifier
 from haros_ci.test_files.schemas import Inputs, Sent, gaps_of, hold_of, lists_of, plan_of

@@ -9,12 +9,12 @@ from __future__ import annotations
 
 from collections.abc import Callable as Function_
 from collections.abc import Mapping
-from dataclasses import dataclass, field
 from math import isfinite, prod
 from typing import TypeVar, Union
 
 from haros_ci import syntax
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass, field
 from haros_ci.syntax import Class, Function, Type
 from haros_ci.syntax.source import Source
 from haros_ci.values.cells import Cell as Cell

@@ -9,15 +9,16 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
 from math import isfinite
 
+from haros_ci.records import dataclass, field
+from haros_ci.regex import regex
 from haros_ci.values.abstract import Character, Choice, Known, Opaque, Text, Value, concatenate
 from haros_ci.values.marks import BEGIN, END, filled, keys
 from haros_ci.values.questions import MOST, PLAIN, QUESTIONS, Answer
 
 #: Texts of which the first character and the kind of name say nothing but that they are one, and paths below a package's share directory.
-_PLAIN = re.compile(r"(?:[A-Za-z0-9_]|\$\(find-pkg-share \w{1,100}\)/)[\w ./:+-]{0,200}", re.ASCII)
+_PLAIN = regex(r"(?:[A-Za-z0-9_]|\$\(find-pkg-share \w{1,100}\)/)[\w ./:+-]{0,200}", re.ASCII)
 #: Numbers that every type of C++ holds, characters aside.
 _INTEGERS = range(2**31)
 

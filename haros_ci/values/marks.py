@@ -6,12 +6,14 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping
 
+from haros_ci.regex import regex
+
 #: What begins and ends a mark; Unicode has no characters there (U+FDD0, U+FDD1).
 BEGIN, END = "\ufdd0", "\ufdd1"
 #: What the mark of a parameter begins with.
 PARAMETER = f"{BEGIN}p"
 #: A mark by its key; that of a namespace (s) has the slash that it begins with, and the next one.
-_MARKS = re.compile(f"/?{BEGIN}(s\\d+){END}(/?)|{BEGIN}([np]\\d+){END}")
+_MARKS = regex(f"/?{BEGIN}(s\\d+){END}(/?)|{BEGIN}([np]\\d+){END}")
 
 
 def keys(text: str) -> Iterator[str]:

@@ -5,8 +5,8 @@ from __future__ import annotations
 
 import operator
 from collections.abc import Callable
-from dataclasses import dataclass
 
+from haros_ci.records import dataclass
 from haros_ci.values.marks import BEGIN, filled
 
 #: How many questions about what one program is given are kept; after that the values count.

@@ -4,8 +4,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
 
+from haros_ci.records import dataclass
 from haros_ci.values.abstract import NONE, Cell, Choice, Known, Object, Opaque, Partial, Value, join
 from haros_ci.values.cells import Content, Slot
 

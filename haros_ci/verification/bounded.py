@@ -3,12 +3,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
 
 import z3
 
 from haros_ci.behaviour.tree import PatternKind
+from haros_ci.records import dataclass
 from haros_ci.verification.cones import Cone, heard
 from haros_ci.verification.fields import Fields
 from haros_ci.verification.patterns import Formula

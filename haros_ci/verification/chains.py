@@ -13,7 +13,6 @@ from __future__ import annotations
 
 import time
 from collections.abc import Mapping
-from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
@@ -22,6 +21,7 @@ import z3
 from haros_ci.behaviour.meaning import free_variables
 from haros_ci.behaviour.text import canonical
 from haros_ci.behaviour.tree import Event, PatternKind, ScopeKind
+from haros_ci.records import dataclass
 from haros_ci.verification.fields import Fields, Slot
 from haros_ci.verification.predicates import Compiler, Message, Value, both, no
 from haros_ci.verification.problem import Claim, Problem

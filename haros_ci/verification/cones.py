@@ -4,9 +4,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 
 from haros_ci.behaviour.tree import PatternKind
+from haros_ci.records import dataclass
 from haros_ci.verification.problem import ENVIRONMENT, Claim, Problem
 
 

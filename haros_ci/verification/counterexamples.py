@@ -4,10 +4,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 
 import z3
 
+from haros_ci.records import dataclass
 from haros_ci.verification.bounded import Bounded, bounded
 from haros_ci.verification.cones import Cone, component
 from haros_ci.verification.fields import Fields

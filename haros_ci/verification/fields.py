@@ -8,7 +8,7 @@ those that properties name are distinguished from each other, and from all other
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from enum import Enum
 from typing import Any
 
@@ -30,6 +30,7 @@ from haros_ci.behaviour.tree import (
 )
 from haros_ci.interfaces.definitions import FieldType
 from haros_ci.monitoring.predicates import key_of
+from haros_ci.records import dataclass
 from haros_ci.verification.problem import Claim, NotModelled, events_of
 
 #: Fields of all messages together, and parts of one predicate.

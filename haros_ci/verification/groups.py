@@ -6,12 +6,12 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass, field
 from typing import Any
 
 import z3
 
 from haros_ci.behaviour.tree import PatternKind
+from haros_ci.records import dataclass, field
 from haros_ci.verification.bounded import Bounded, bounded
 from haros_ci.verification.chains import Prover
 from haros_ci.verification.cones import Cone

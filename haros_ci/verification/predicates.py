@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
@@ -30,6 +29,7 @@ from haros_ci.behaviour.tree import (
     Variable,
 )
 from haros_ci.monitoring.predicates import key_of
+from haros_ci.records import dataclass
 from haros_ci.verification.fields import Fields, Kind, owner_of
 from haros_ci.verification.problem import Claim, NotModelled
 

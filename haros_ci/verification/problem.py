@@ -4,11 +4,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 
 from haros_ci.behaviour.messages import Typed
 from haros_ci.behaviour.tree import Event, Expression, Property
 from haros_ci.monitoring.predicates import Constants
+from haros_ci.records import dataclass, field
 
 #: Nanoseconds of a millisecond, the unit of times in formulas.
 MILLISECOND = 1_000_000

@@ -3,10 +3,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from haros_ci.behaviour.text import time_text
 from haros_ci.behaviour.tree import PatternKind
+from haros_ci.records import dataclass
 from haros_ci.verification.problem import MILLISECOND, Claim, Problem
 
 

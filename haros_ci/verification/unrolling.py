@@ -9,13 +9,13 @@ network, at a step of its own: each channel from a publisher to a subscriber kee
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 from fractions import Fraction
 from itertools import combinations
 from typing import Any
 
 import z3
 
+from haros_ci.records import dataclass
 from haros_ci.verification.fields import Fields, Kind, Slot
 from haros_ci.verification.predicates import FALSE, TRUE, Value, both, no, one_of
 from haros_ci.verification.problem import MILLISECOND, NotModelled, Problem

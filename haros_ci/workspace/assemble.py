@@ -5,11 +5,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 
 from haros_ci.model.package import Package, SourceFile
 from haros_ci.model.workspace import Buffer, Hiding, Problem, Workspace
+from haros_ci.records import dataclass
+from haros_ci.regex import regex
 from haros_ci.workspace.content import examine
 from haros_ci.workspace.files import TextReader
 from haros_ci.workspace.generated import says_generated
@@ -20,18 +22,18 @@ from haros_ci.workspace.views import doubles
 
 #: Endings of sketches, and what those include that talk to ROS (wiki.ros.org/rosserial_arduino, micro_ros_arduino, ros2arduino).
 _SKETCHES = (".ino", ".pde")
-_OF_ROS = re.compile(r"#[ \t]*include[ \t]*[<\"](?:ros\.h|rosserial|ArduinoHardware|micro_ros|ros2arduino|rclc?/|rcl/)")
+_OF_ROS = regex(r"#[ \t]*include[ \t]*[<\"](?:ros\.h|rosserial|ArduinoHardware|micro_ros|ros2arduino|rclc?/|rcl/)")
 
 #: The branch of Python modules that are started, and what imports a client library of ROS.
-_STARTED = re.compile(r"""^if[ (]+__name__\s*==\s*["']__main__["']""", re.MULTILINE)
-_CLIENT = re.compile(r"^(?:import|from)[ \t]+(?:rospy|rclpy)\b", re.MULTILINE)
+_STARTED = regex(r"""^if[ (]+__name__\s*==\s*["']__main__["']""", re.MULTILINE)
+_CLIENT = regex(r"^(?:import|from)[ \t]+(?:rospy|rclpy)\b", re.MULTILINE)
 #: What a launch file has, by its language (design.ros2.org/articles/roslaunch.html, wiki.ros.org/roslaunch/XML).
 _LAUNCHES = {
-    "launch": re.compile(r"<launch\b|^launch[ \t]*:", re.MULTILINE),
-    "python": re.compile(r"^def[ \t]+generate_launch_description\b", re.MULTILINE),
+    "launch": regex(r"<launch\b|^launch[ \t]*:", re.MULTILINE),
+    "python": regex(r"^def[ \t]+generate_launch_description\b", re.MULTILINE),
 }
 #: The name of a package, in a manifest that no parser takes.
-_NAME = re.compile(rb"<name>\s*([A-Za-z][\w-]{0,99})\s*</name>")
+_NAME = regex(rb"<name>\s*([A-Za-z][\w-]{0,99})\s*</name>")
 _TESTS = frozenset(("test", "tests"))
 #: A package, and what is wrong with its manifest.
 _Found = tuple[Package, Problem | None]

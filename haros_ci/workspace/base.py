@@ -7,12 +7,13 @@ import errno
 import os
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from itertools import chain
 from pathlib import Path
 
 from haros_ci import scratch
 from haros_ci.model.workspace import Problem, Reader, Workspace
+from haros_ci.records import dataclass
 from haros_ci.workspace.assemble import Content, assemble
 from haros_ci.workspace.base_settings import BaseSettings
 from haros_ci.workspace.discover import MAX_FILE_SIZE, manifests_above, scope_of, unusable_name

@@ -4,9 +4,9 @@
 from __future__ import annotations
 
 import os
-from dataclasses import dataclass
 from pathlib import Path
 
+from haros_ci.records import dataclass
 from haros_ci.workspace.git import BaselineUnavailable, merge_base, read_at, repository_of
 
 #: How far below a root that is in no repository one is looked for: ``ws/src/group/repository``.

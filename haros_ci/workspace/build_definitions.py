@@ -9,21 +9,23 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator
 
+from haros_ci.regex import regex
+
 REFERENCE = r"\$\{[\w./+-]{1,100}\}"
-_PLACE = re.compile(REFERENCE)
-_REFERENCES = re.compile(r"\$?\{[\w./+-]{1,100}\}")
+_PLACE = regex(REFERENCE)
+_REFERENCES = regex(r"\$?\{[\w./+-]{1,100}\}")
 #: What a name of a macro is by custom: capitals, or capitals behind a name of a package (``rtde_EXPORTS``).
-_NAME = re.compile(r"_*[A-Z][A-Z0-9_.+-]*|[A-Z]{2}\w*|[A-Za-z0-9_.+-]*(?:_+[A-Z]|[A-Z]+_)[A-Za-z0-9_.+-]*")
-_JOINED = re.compile(r"\w\$?\{[^{}]{1,100}\}[a-z]")
-_WORD = re.compile(r"[A-Za-z_]\w*")
+_NAME = regex(r"_*[A-Z][A-Z0-9_.+-]*|[A-Z]{2}\w*|[A-Za-z0-9_.+-]*(?:_+[A-Z]|[A-Z]+_)[A-Za-z0-9_.+-]*")
+_JOINED = regex(r"\w\$?\{[^{}]{1,100}\}[a-z]")
+_WORD = regex(r"[A-Za-z_]\w*")
 _TRUTH = frozenset("ON OFF TRUE FALSE YES NO true false on off yes no".split())
 #: A word that renames another one, wherever it stands in a command.
-_RENAMES = re.compile(r"(?:-D)?([A-Za-z_]\w*)=([A-Za-z_]\w*|)")
+_RENAMES = regex(r"(?:-D)?([A-Za-z_]\w*)=([A-Za-z_]\w*|)")
 #: A value by a generator expression that is a word itself.
-_WORD_OF_GENEX = re.compile(r"=\$<(?:[^<>]|\$<[^<>]{0,200}>){0,200}:([A-Za-z_]\w*)>")
-_CUT = re.compile(r"-D\w*\$<")
-_BETWEEN = re.compile(r";|\s+(?=-)")
-_IN_GENEX = re.compile(r"[\s;:<>$,]+")
+_WORD_OF_GENEX = regex(r"=\$<(?:[^<>]|\$<[^<>]{0,200}>){0,200}:([A-Za-z_]\w*)>")
+_CUT = regex(r"-D\w*\$<")
+_BETWEEN = regex(r";|\s+(?=-)")
+_IN_GENEX = regex(r"[\s;:<>$,]+")
 
 
 def is_macro_name(name: str) -> bool:

@@ -6,6 +6,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+from haros_ci.regex import regex
 from haros_ci.workspace.build_definitions import REFERENCE, odd_definitions, odd_flag, put_together
 
 _PATH = rf"(?:[\w./+~:\"\\-]|{REFERENCE})"
@@ -14,27 +15,27 @@ _READS_OTHERWISE = r"(?:input-charset=(?!(?i:utf-?8)\Z)|directives-only|(?:no-)?
 #: Sizes of types and the sign of char are what linters take them to be (gcc(1), "Code Gen Options", "x86 Options"); names are what the code calls them (ld(1)).
 _SIZES = r"short-(?:enums|wchar|double)|pack-struct|unsigned-(?:char|bitfields)|no-signed-(?:char|bitfields)"
 _OTHER_MACHINE = r"(?:32|x32|16|iamcu|ilp32|abi=ilp32\w*|long-double-\w+|data-model=\w+)\Z"
-_OF_SIZES = re.compile(rf"-f(?:{_SIZES})(?:=\d+)?|-m{_OTHER_MACHINE}")
+_OF_SIZES = regex(rf"-f(?:{_SIZES})(?:=\d+)?|-m{_OTHER_MACHINE}")
 _RENAMES = r"[^\s]*(?:--?(?:defsym|wrap|just-symbols)\b|,-T|,@)"
 #: What a flag may be. A word without a dash is a name, a path or a keyword; behind a flag that is not here it is named with that.
-_HARMLESS = re.compile(
+_HARMLESS = regex(
     rf"-W(?![pa],|{_RENAMES})[\w=+#,./:${{}}-]*|-O\w*|-g[\w-]*|-g\w+=\w+|-std=(?:[\w+]|{REFERENCE})+|-pedantic(?:-errors)?|-pg|-pipe|-pthreads?|-ansi|-rdynamic|-pie|-diag[\w-]*|-static[\w+-]*|-shared|-coverage|--coverage"
     rf"|-f(?!plugin|module|include|preprocess|{_READS_OTHERWISE}|{_SIZES})[\w+-]+(?:=[\w.,+-]*)?|-f\w+-prefix-map=\S*|-m(?!{_OTHER_MACHINE})[\w.+-]+(?:=[\w.,+${{}}-]+)?|-l\S*|-L\S*|-I{_PATH}*|-isystem{_PATH}*|-iquote{_PATH}*|-D[\w.+-]*(?:=(?:{_PATH}|[,@*])*)?|-U\w*|-[AC-WYZac-wyz]|-undefined|-Qunused-arguments"
     rf"|-no-?\w+|--?param=?\S*|-arch|-framework|-Xlinker|-rpath\S*|-Bstatic|-Bdynamic|-gencode\S*|--?expt-[\w-]+|-std|--compiler-options|-Xcompiler\S*|-dev|/(?!FI|Y|clang)[A-Z]\S*|--",
     re.DOTALL,
 )
 #: What a macro may be: a number, a name, a path or a text; code and the name of what is included are neither.
-_PLAIN = re.compile(
+_PLAIN = regex(
     r"\s*(?:-[DU])?[\w.+-]*(?:=(?:[\w.+:/,@~*-]*|'?(?:\\*\")[^\"()]*(?:\\*\")'?))?(?:\s+-[DU][\w.+-]*(?:=[\w.+:/,-]*)?)*\s*",
     re.DOTALL,
 )
-_OTHER = re.compile(
+_OTHER = regex(
     r"-\d[\w.]*|@\w+@|--(?!include|imacros|language|config|specs|sysroot|defsym|wrap|just-symbols)[\w=./-]+|-(?=\Z)"
 )
 #: CMake's word for what is handed to the linker ("target_link_options").
-_LINKER = re.compile(r"\ALINKER:(?:SHELL:)?")
-_BETWEEN = re.compile(r"[\s;]+")
-_IN_GENEX = re.compile(r"[\s;:<>$]+|,(?=\$|>|-)")
+_LINKER = regex(r"\ALINKER:(?:SHELL:)?")
+_BETWEEN = regex(r"[\s;]+")
+_IN_GENEX = regex(r"[\s;:<>$]+|,(?=\$|>|-)")
 
 
 def odd_flags(text: str, *, are_definitions: bool = False) -> Iterator[str]:

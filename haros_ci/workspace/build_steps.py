@@ -9,8 +9,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import dataclass
 
+from haros_ci.records import dataclass
+from haros_ci.regex import regex
 from haros_ci.workspace.build_definitions import is_macro_name, renamings
 from haros_ci.workspace.build_flags import OF_SIZES, changes_sizes, odd_flags
 from haros_ci.workspace.cmake_parse import CMakeArgument, ParsedCommand, parse_cmake
@@ -42,17 +43,17 @@ _SETTING = frozenset(
     "cmake_parse_arguments cmake_path separate_arguments get_filename_component foreach option site_name get_property get_target_property get_directory_property"
     " get_source_file_property get_cmake_property find_program find_file find_path find_library".split()
 )
-_OWN = re.compile(r"CMAKE(?:_\w*)?|ENV\{.*|PKG_CONFIG_(?:EXECUTABLE|ARGN)", re.DOTALL)
+_OWN = regex(r"CMAKE(?:_\w*)?|ENV\{.*|PKG_CONFIG_(?:EXECUTABLE|ARGN)", re.DOTALL)
 #: Commands whose arguments are definitions, which are looked at as such.
 _DEFINING = frozenset(
     "add_definitions remove_definitions target_compile_definitions add_compile_definitions ament_export_definitions".split()
 )
 #: Options of generate_export_header() that are given the name of a macro ("GenerateExportHeader").
-_NAMES_MACRO = re.compile(r"\w+_MACRO_NAME|STATIC_DEFINE|DEFINE_NO_DEPRECATED|INCLUDE_GUARD_NAME")
+_NAMES_MACRO = regex(r"\w+_MACRO_NAME|STATIC_DEFINE|DEFINE_NO_DEPRECATED|INCLUDE_GUARD_NAME")
 #: Properties that hold definitions, and programs that CMake's modules ask for flags and files.
-_DEFINITIONS_OF = re.compile(r"(?:INTERFACE_)?COMPILE_DEFINITIONS(?:_\w+)?")
-_PROGRAM = re.compile(r"PKG_CONFIG_(?:EXECUTABLE|ARGN)|\w+_EXECUTABLE")
-_OF_SOURCES = re.compile(r"\$\{\w*(?:SOURCE_DIR|CURRENT_LIST_DIR)\}|\.\.?/")
+_DEFINITIONS_OF = regex(r"(?:INTERFACE_)?COMPILE_DEFINITIONS(?:_\w+)?")
+_PROGRAM = regex(r"PKG_CONFIG_(?:EXECUTABLE|ARGN)|\w+_EXECUTABLE")
+_OF_SOURCES = regex(r"\$\{\w*(?:SOURCE_DIR|CURRENT_LIST_DIR)\}|\.\.?/")
 #: Commands that name sources; what stands there in another form than a path may be any file.
 _SOURCES = frozenset(
     "add_executable add_library target_sources set_source_files_properties target_precompile_headers".split()
@@ -69,7 +70,7 @@ _FILE = frozenset(
 #: Suffixes of other languages that CMake compiles, or Python imports.
 _COMPILED = frozenset("m mm cppm ixx ccm cxxm pyx so pyc".split())
 #: Properties that change neither what is compiled nor how, but for flags that are looked at as such.
-_PROPERTIES = re.compile(
+_PROPERTIES = regex(
     r"VERSION|SOVERSION|OUTPUT_NAME\w*|(?:C|CXX|CUDA)_(?:STANDARD|STANDARD_REQUIRED|EXTENSIONS|VISIBILITY_PRESET|SCAN_FOR_MODULES)|VISIBILITY_INLINES_HIDDEN"
     r"|POSITION_INDEPENDENT_CODE|\w*_OUTPUT_(?:DIRECTORY|NAME)\w*|\w*LINK_(?:FLAGS|OPTIONS|LIBRARIES|DIRECTORIES|DEPENDS)\w*|LINKER_LANGUAGE|PREFIX|SUFFIX|FOLDER|EXPORT_NAME"
     r"|\w*LOCATION\w*|IMPORTED_\w+|INTERFACE_(?:INCLUDE_DIRECTORIES|SYSTEM_INCLUDE_DIRECTORIES|COMPILE_\w+)|(?:SYSTEM_)?INCLUDE_DIRECTORIES|PUBLIC_HEADER|PRIVATE_HEADER|COMPILE_(?:FLAGS|OPTIONS|DEFINITIONS)"
@@ -78,7 +79,7 @@ _PROPERTIES = re.compile(
     r"|CUDA_(?:SEPARABLE_COMPILATION|ARCHITECTURES|RESOLVE_DEVICE_SYMBOLS)|OBJECT_DEPENDS|DEPENDENCY_SCANNING|TARGET_SUPPORTS_SHARED_LIBS|ALLOW_DUPLICATE_CUSTOM_TARGETS|ADDITIONAL_(?:MAKE_)?CLEAN_FILES"
 )
 #: Variables of CMake that change where things go, what is found and in which version of a language code is; flags are looked at as such.
-_VARIABLES = re.compile(
+_VARIABLES = regex(
     r"CMAKE_(?:(?:C|CXX|CUDA|OBJC|OBJCXX|ASM|Fortran)_(?:STANDARD|STANDARD_REQUIRED|EXTENSIONS|VISIBILITY_PRESET|FLAGS\w*|ARCHITECTURES|SCAN_FOR_MODULES)|VISIBILITY_INLINES_HIDDEN|BUILD_TYPE|MODULE_PATH|PREFIX_PATH|LIBRARY_PATH"
     r"|INCLUDE_PATH|FRAMEWORK_PATH|FIND_\w+|\w+_OUTPUT_DIRECTORY\w*|EXPORT_\w+|POSITION_INDEPENDENT_CODE|INSTALL_\w+|WINDOWS_EXPORT_ALL_SYMBOLS|AUTO(?:MOC|UIC|RCC)\w*|INCLUDE_CURRENT_DIR\w*"
     r"|\w*RPATH\w*|\w+_LINKER_FLAGS\w*|CONFIGURATION_TYPES|POLICY_\w+|MACOSX_RPATH|OSX_\w+|VERBOSE_MAKEFILE|COLOR_\w+|SUPPRESS_\w+|WARN_\w+|THREAD_PREFER_PTHREAD|DEBUG_POSTFIX|\w+_POSTFIX|REQUIRED_\w+"
@@ -87,21 +88,21 @@ _VARIABLES = re.compile(
 _KEEPING = frozenset(("set", "list", "string"))
 _SCOPES = frozenset(("PUBLIC", "PRIVATE", "INTERFACE", "BEFORE"))
 #: What a package that was found offers (cmake-developer(7)).
-_USE_FILE = re.compile(r"\$\{\w{1,100}_USE_FILE\}")
+_USE_FILE = regex(r"\$\{\w{1,100}_USE_FILE\}")
 #: Generator expressions that stand for what a target makes, or for the path that they hold.
 _OF_TARGETS = frozenset(
     "TARGET_OBJECTS TARGET_FILE TARGET_FILE_DIR TARGET_FILE_NAME BUILD_INTERFACE INSTALL_INTERFACE BUILD_LOCAL_INTERFACE TARGET_PROPERTY".split()
 )
-_GENEX = re.compile(r"\$<([A-Za-z_]*)")
+_GENEX = regex(r"\$<([A-Za-z_]*)")
 #: An escape that means the character itself.
-_NEEDLESS = re.compile(r"\\[./\-A-Z]")
+_NEEDLESS = regex(r"\\[./\-A-Z]")
 #: Variables that may be flags by their names, and beginnings of flags that name a file, which any variable may hold.
-_OF_COMPILERS = re.compile(r"FLAGS|DEFINITIONS|COMPILE", re.I)
-_READS = re.compile(
+_OF_COMPILERS = regex(r"FLAGS|DEFINITIONS|COMPILE", re.I)
+_READS = regex(
     r"-(?:i|x|-?specs|B|wrapper|W[pa],|fplugin|fmodule|X(?:clang|preprocessor)|-include|-imacros|-language|-config)|@[\w./$]"
 )
 #: An option whose beginning is a variable's.
-_PUT_TOGETHER = re.compile(r"(?:SHELL:)?\$\{[^{}]{1,100}\}[\w-]")
+_PUT_TOGETHER = regex(r"(?:SHELL:)?\$\{[^{}]{1,100}\}[\w-]")
 
 
 @dataclass(frozen=True, slots=True)

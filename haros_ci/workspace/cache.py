@@ -6,12 +6,13 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass
 from pathlib import Path
 from typing import TypeVar
 from zlib import crc32
 
 from haros_ci.errors import UserError
+from haros_ci.records import dataclass
+from haros_ci.regex import regex
 from haros_ci.timing import timed
 from haros_ci.workspace.cache_shard import CacheFile
 from haros_ci.workspace.files import TooLarge, read_regular
@@ -23,8 +24,8 @@ MAX_SHARD = 96_000_000  # bytes; a larger one was not written here
 
 _FILL = 0.8  # after trimming, so that not every further run trims
 _NEW = ".new-"
-_SHARD = re.compile(r"[a-z0-9_.-]*-[0-9a-f]\.json")
-_OURS = re.compile(rf"{_SHARD.pattern}|{re.escape(_NEW)}\w+")
+_SHARD = regex(r"[a-z0-9_.-]*-[0-9a-f]\.json")
+_OURS = regex(rf"{_SHARD.pattern}|{re.escape(_NEW)}\w+")
 
 
 @dataclass(slots=True)

@@ -4,15 +4,16 @@
 from __future__ import annotations
 
 import json
-import re
 from typing import Any
+
+from haros_ci.regex import regex
 
 FORMAT = 1
 _FRAME = 100  # bytes of a shard around its entries
-_HEAD = re.compile(rf'\{{"format":{FORMAT},"run":([0-9]{{1,15}}),"entries":\{{\n')
+_HEAD = regex(rf'\{{"format":{FORMAT},"run":([0-9]{{1,15}}),"entries":\{{\n')
 _TAIL = "\n}}\n"
-_KEY = re.compile(r'("(?:[^"\\]|\\.)*"):\[')
-_LAST_RUN = re.compile(r"\[([0-9]{1,15}),")
+_KEY = regex(r'("(?:[^"\\]|\\.)*"):\[')
+_LAST_RUN = regex(r"\[([0-9]{1,15}),")
 
 
 class CacheFile:

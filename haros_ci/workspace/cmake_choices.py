@@ -3,12 +3,11 @@
 
 from __future__ import annotations
 
-import re
-
+from haros_ci.regex import regex
 from haros_ci.workspace.cmake_parse import ParsedCommand
 
 #: What CMake sets by itself, on this system or on others (cmake-variables(7)).
-_OF_CMAKE = re.compile(
+_OF_CMAKE = regex(
     r"_?CMAKE_|CTEST_|CPACK_|PROJECT_|ARG[CNV]|MSVC|WIN32|WINCE|WINDOWS|APPLE|MINGW|MSYS|CYGWIN|ANDROID|IOS|XCODE|BORLAND"
     r"|EMSCRIPTEN|WASM|(?:\w{0,20}BSD|QNX\w{0,20}|VXWORKS|HAIKU|SUNOS|HPUX|AIX)\Z"
 )

@@ -9,6 +9,7 @@ from collections.abc import Callable, Mapping
 from types import MappingProxyType
 
 from haros_ci.model.build import NOT_KNOWN, WrittenFile
+from haros_ci.regex import regex
 from haros_ci.workspace.cmake_state import CMakeState, EvaluatedCommand, InstalledLater
 from haros_ci.workspace.cmake_words import (
     BINARY_ROOT,
@@ -25,13 +26,13 @@ from haros_ci.workspace.cmake_words import (
 MAX_TEMPLATE = 300_000
 MAX_WRITTEN = 3_000_000
 _AT = r"@([A-Za-z0-9/_.+-]{1,200})@"
-_AT_ONLY = re.compile(_AT)
-_ALL = re.compile(rf"{_AT}|\$\{{([A-Za-z0-9/_.+-]{{1,200}})\}}|(\$(?:ENV|CACHE)?\{{)")
-_CMAKE_LINE = re.compile(r"^[ \t]*#[ \t]*cmakedefine", re.M)
+_AT_ONLY = regex(_AT)
+_ALL = regex(rf"{_AT}|\$\{{([A-Za-z0-9/_.+-]{{1,200}})\}}|(\$(?:ENV|CACHE)?\{{)")
+_CMAKE_LINE = regex(r"^[ \t]*#[ \t]*cmakedefine", re.M)
 #: A value below the prefix of the installation, of which only the machine that builds tells where it lies.
-_OF_THE_BUILD = re.compile(r"install(?:/|$)")
+_OF_THE_BUILD = regex(r"install(?:/|$)")
 #: The tag of an element that may hold a text: none that holds others.
-_OPENED = re.compile(
+_OPENED = regex(
     r"<(?!xacro:|(?:robot|gazebo|plugin|sdf|world|model|link|joint|sensor|visual|collision|ros2_control|transmission|launch)[\s>])"
     r"[A-Za-z_][\w.:-]*(?:\s[^<>]*)?(?<!/)>"
 )

@@ -3,12 +3,12 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Iterable
 
+from haros_ci.regex import regex
 from haros_ci.workspace.cmake_words import MAYBE, UNKNOWN, split_list, truth
 
-_PIECE = re.compile(r"\$<|[>:,]|[^$>:,]+|\$")
+_PIECE = regex(r"\$<|[>:,]|[^$>:,]+|\$")
 
 #: Those that give their content, a condition that holds or not, or nothing.
 _CONTENT = frozenset(("BUILD_INTERFACE", "BUILD_LOCAL_INTERFACE", "1", "TARGET_NAME", "TARGET_OBJECTS", "LINK_ONLY"))

@@ -3,10 +3,10 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Mapping
 from types import MappingProxyType
 
+from haros_ci.regex import regex
 from haros_ci.workspace.cmake_configured import install_made
 from haros_ci.workspace.cmake_keywords import under
 from haros_ci.workspace.cmake_state import CMakeState, EvaluatedCommand
@@ -18,7 +18,7 @@ _SINGLE = ("DESTINATION", "EXPORT", "COMPONENT", "NAMELINK_COMPONENT", "RENAME",
 _LISTS = ("PERMISSIONS", "CONFIGURATIONS", "INCLUDES", "FILE_PERMISSIONS", "DIRECTORY_PERMISSIONS")
 _FLAGS = ("OPTIONAL", "FILES_MATCHING", "USE_SOURCE_PERMISSIONS", "MESSAGE_NEVER", "EXCLUDE", "EXCLUDE_FROM_ALL")
 _WHAT = {"PROGRAMS": "program", "FILES": "file", "DIRECTORY": "directory"}
-_SLASHES = re.compile("/{2,}")
+_SLASHES = regex("/{2,}")
 #: Where install(... TYPE t) puts things, by the GNU conventions.
 _TYPES = {"BIN": "bin", "SBIN": "sbin", "LIB": "lib", "INCLUDE": "include", "SYSCONF": "etc", "DATA": "share"}
 

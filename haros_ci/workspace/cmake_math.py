@@ -3,13 +3,13 @@
 
 from __future__ import annotations
 
-import re
+from haros_ci.regex import regex
 
 MAX_TOKENS = 200
 MAX_NESTING = 30
 LARGEST = (1 << 63) - 1  # CMake reads numbers with std::stoll, and refuses what is out of its range
 
-_TOKEN = re.compile(r"\s*(0[xX][0-9a-fA-F]{1,16}|[0-9]{1,19}|<<|>>|[-+*/%|&^~()])")
+_TOKEN = regex(r"\s*(0[xX][0-9a-fA-F]{1,16}|[0-9]{1,19}|<<|>>|[-+*/%|&^~()])")
 _LEVELS = (("|",), ("^",), ("&",), ("<<", ">>"), ("+", "-"), ("*", "/", "%"))
 
 

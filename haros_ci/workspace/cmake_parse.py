@@ -4,15 +4,17 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass, field
+
+from haros_ci.records import dataclass, field
+from haros_ci.regex import regex
 
 MAX_DEPTH = 60
 MAX_COMMANDS = 50_000
 
-_BEFORE = re.compile(r"(?:[ \t\r\n;]+|#(?!\[=*\[)[^\n]*)+")
-_NAME = re.compile(r"([A-Za-z_][A-Za-z0-9_]*)[ \t]*\(")
-_BRACKET = re.compile(r"#?\[(=*)\[\n?")
-_TOKEN = re.compile(
+_BEFORE = regex(r"(?:[ \t\r\n;]+|#(?!\[=*\[)[^\n]*)+")
+_NAME = regex(r"([A-Za-z_][A-Za-z0-9_]*)[ \t]*\(")
+_BRACKET = regex(r"#?\[(=*)\[\n?")
+_TOKEN = regex(
     r"""[ \t\r\n]+
     | \#(?!\[=*\[)[^\n]*
     | (?P<bracket>\#?\[=*\[)
@@ -23,7 +25,7 @@ _TOKEN = re.compile(
     """,
     re.DOTALL | re.VERBOSE,
 )
-_ACTIVE = re.compile(r"[$\\;]")
+_ACTIVE = regex(r"[$\\;]")
 
 
 @dataclass(slots=True)

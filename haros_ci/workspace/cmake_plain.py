@@ -5,10 +5,11 @@ from __future__ import annotations
 
 import re
 
+from haros_ci.regex import regex
 from haros_ci.workspace.cmake_parse import ParsedCommand, parse_cmake
 
-_GENEX = re.compile(r"\$<[\w.,-]{0,80}:?|[<>\"();]")
-_ESCAPE = re.compile(r"\\(?:\r?\n|(.))", re.DOTALL)
+_GENEX = regex(r"\$<[\w.,-]{0,80}:?|[<>\"();]")
+_ESCAPE = regex(r"\\(?:\r?\n|(.))", re.DOTALL)
 
 
 def spelled_out(text: str) -> str:

@@ -5,12 +5,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass, field
 
 from haros_ci.model.build import CMakeCommand
 from haros_ci.model.location import Location
 from haros_ci.model.package import Package
 from haros_ci.model.workspace import Problem
+from haros_ci.records import dataclass, field
+from haros_ci.regex import regex
 from haros_ci.workspace.cmake_choices import may_be_given
 from haros_ci.workspace.cmake_parse import CMakeArgument, ParsedCommand
 from haros_ci.workspace.cmake_words import (
@@ -36,13 +37,13 @@ MAX_MESSAGE = 500
 #: CMAKE_MATCH_0 to CMAKE_MATCH_9 (cmake-variables(7)).
 _GROUPS = 10
 
-_PIECE = re.compile(r"\$(?:ENV|CACHE)?\{|\}|\\(?:.|$)|[^$\\}]+|\$", re.DOTALL)
+_PIECE = regex(r"\$(?:ENV|CACHE)?\{|\}|\\(?:.|$)|[^$\\}]+|\$", re.DOTALL)
 _ESCAPED = {"\\n": "\n", "\\t": "\t", "\\r": "\r", "\\;": "\\;", "\\\n": ""}
 _MISSING = "\ue000\ue000"
 #: How configurations of packages call their variables, as catkin's and ament's do: the package, in small letters, and what it is.
-_OF_A_PACKAGE = re.compile(r"(?!(?:catkin|ament_\w+)_FOUND)([a-z][a-z0-9]*(?:_[a-z0-9]+)*)_[A-Z][A-Z0-9_]*")
+_OF_A_PACKAGE = regex(r"(?!(?:catkin|ament_\w+)_FOUND)([a-z][a-z0-9]*(?:_[a-z0-9]+)*)_[A-Z][A-Z0-9_]*")
 #: What says that a package was found, but those that a ROS has or has not: nothing finds these by the way.
-_SAYS_FOUND = re.compile(r"(?!(?:catkin|CATKIN|ament_\w+|AMENT_\w+)_FOUND)\w+_FOUND", re.ASCII)
+_SAYS_FOUND = regex(r"(?!(?:catkin|CATKIN|ament_\w+|AMENT_\w+)_FOUND)\w+_FOUND", re.ASCII)
 
 
 class CMakeBudgetExhausted(Exception):
@@ -321,7 +322,7 @@ def _may_be_found(name: str) -> bool:
     return name.endswith("_FOUND") and _SAYS_FOUND.fullmatch(name) is not None
 
 
-_MACRO_REFERENCE = re.compile(r"\$\{(\w+)\}")
+_MACRO_REFERENCE = regex(r"\$\{(\w+)\}")
 
 
 def substitute(text: str, macro: dict[str, str]) -> str:

@@ -10,6 +10,7 @@ from types import MappingProxyType
 
 from haros_ci.model.location import Location
 from haros_ci.model.workspace import Problem
+from haros_ci.regex import regex
 from haros_ci.workspace.cmake_genex import resolved
 from haros_ci.workspace.cmake_keywords import under
 from haros_ci.workspace.cmake_state import CMakeState, CMakeTarget, EvaluatedCommand
@@ -231,8 +232,8 @@ def _components(state: CMakeState, call: EvaluatedCommand) -> None:
 
 
 #: ``-DX``, ``-DX=1`` and, where only definitions are taken, ``X=1`` (cmake.org: add_compile_definitions).
-FLAG = re.compile(r"(?:^|[\s;\"'])[-/]D\s*([A-Za-z_]\w*)")
-_DEFINITION = re.compile(r"(?:-D)?([A-Za-z_]\w*)(?:=|$)")
+FLAG = regex(r"(?:^|[\s;\"'])[-/]D\s*([A-Za-z_]\w*)")
+_DEFINITION = regex(r"(?:-D)?([A-Za-z_]\w*)(?:=|$)")
 
 
 def _definitions(state: CMakeState, call: EvaluatedCommand) -> None:

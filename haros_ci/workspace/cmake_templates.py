@@ -7,16 +7,17 @@ import re
 from collections.abc import Iterator
 
 from haros_ci.model.workspace import Workspace
+from haros_ci.regex import regex
 from haros_ci.workspace.language import language_of
 
-_CONFIGURED = re.compile(
+_CONFIGURED = regex(
     r"\bconfigure_(?:package_config_)?file\s*\(\s*\"?([^\s()\"]{1,400})\"?\s+\"?([^\s()\"]{1,400})\"?", re.I
 )
 #: What is put behind ``.cmake`` in the name of a template: CMake's endings, and catkin's for the devel space and the installed one.
-_OF_CMAKE = re.compile(r".+\.cmake(?:\.(?:develspace|installspace))?\.(?:in|em)")
+_OF_CMAKE = regex(r".+\.cmake(?:\.(?:develspace|installspace))?\.(?:in|em)")
 #: What a template has and CMake does not read: a line that is a variable or a command of empy, and what stands for a value.
-_LINES = re.compile(r"^[ \t]*(?:@\w+@[ \t]*|@\[.*)\r?$", re.M)
-_VALUES = re.compile(r"@(\w+)@|@\([^()\n]{0,200}(?:\([^()\n]{0,200}\)[^()\n]{0,200}){0,8}\)|@\{[^{}\n]{0,200}\}")
+_LINES = regex(r"^[ \t]*(?:@\w+@[ \t]*|@\[.*)\r?$", re.M)
+_VALUES = regex(r"@(\w+)@|@\([^()\n]{0,200}(?:\([^()\n]{0,200}\)[^()\n]{0,200}){0,8}\)|@\{[^{}\n]{0,200}\}")
 
 
 def configured(text: str) -> Iterator[tuple[str, str]]:

@@ -6,6 +6,8 @@ from __future__ import annotations
 import posixpath
 import re
 
+from haros_ci.regex import regex
+
 #: Stands before an element that is there in some branches of an undecided condition only.
 MAYBE = "\ue000"
 #: Stands for the ``$`` of a reference whose value only a build knows: ``<UNKNOWN>{Eigen3_LIBRARIES}``.
@@ -14,10 +16,10 @@ UNKNOWN = "\ue001"
 SOURCE_ROOT = "/\ue002"
 BINARY_ROOT = "/\ue003"
 
-_PRIVATE = re.compile("[\ue000-\ue007]")
+_PRIVATE = regex("[\ue000-\ue007]")
 _FALSE = frozenset(("", "0", "OFF", "NO", "FALSE", "N", "IGNORE", "NOTFOUND"))
 _TRUE = frozenset(("1", "ON", "YES", "TRUE", "Y"))
-_NUMBER = re.compile(r"[+-]?(?:\d+(?:\.\d*)?|\.\d+)\Z", re.ASCII)
+_NUMBER = regex(r"[+-]?(?:\d+(?:\.\d*)?|\.\d+)\Z", re.ASCII)
 
 
 def cleaned(text: str) -> str:

@@ -10,11 +10,13 @@ import ast
 import re
 import warnings
 
+from haros_ci.regex import regex
+
 #: Texts with more characters are recognised by their lines alone.
 _LARGEST_PARSED = 300_000
 #: What every program of Python that does anything has somewhere: a call, an import, a definition.
-_MAYBE = re.compile(r"\w[ \t]*\(|^[ \t]*(?:import|from|def|class|del|raise)\b", re.M)
-_LINE = re.compile(
+_MAYBE = regex(r"\w[ \t]*\(|^[ \t]*(?:import|from|def|class|del|raise)\b", re.M)
+_LINE = regex(
     r"^[ \t]*(?:import [A-Za-z_][\w.]*|from [\w.]+ import\b[^\n]*|(?:async )?def \w+ ?\([^\n]*|class \w+(?: ?\([^()\n]*\))?:)",
     re.M,
 )
@@ -32,9 +34,9 @@ _STATEMENTS = (
     *(ast.If, ast.With, ast.AsyncWith, ast.Try, ast.Raise, ast.Assert, ast.Delete, ast.Global, ast.Match),
 )
 #: A body of a function, which is what findings are in; a template without one has values alone.
-_NO_CPP = re.compile(r"\A#!|^syntax = \"proto[23]\";$", re.M)
-_BODY = re.compile(r"\)[^;{}()]{0,80}(?:\{|<%)|\]\s*\{")
-_COMMENTS = re.compile(r"//[^\n]*|/\*[^*]*(?:\*(?!/)[^*]*)*\*/")
+_NO_CPP = regex(r"\A#!|^syntax = \"proto[23]\";$", re.M)
+_BODY = regex(r"\)[^;{}()]{0,80}(?:\{|<%)|\]\s*\{")
+_COMMENTS = regex(r"//[^\n]*|/\*[^*]*(?:\*(?!/)[^*]*)*\*/")
 
 
 def is_python(text: str, *, with_calls: bool = True) -> bool:

@@ -8,22 +8,23 @@ from __future__ import annotations
 
 import re
 
+from haros_ci.regex import regex
 from haros_ci.workspace.build_flags import odd_flags
 
 #: CMake's presets and what they include ("cmake-presets(7)"); colcon's packages, metadata and defaults (colcon.readthedocs.io, "Configuration").
-_NAMES = re.compile(
+_NAMES = regex(
     r"CMake\w*Presets\.json|.*presets?\.json|colcon\.pkg|.*\.meta|defaults\.ya?ml|.*colcon.*\.ya?ml|Dockerfile(?:\..*)?|.*\.[Dd]ockerfile",
     re.I,
 )
 #: What pkg-config reads (pc(5)), as it is or as a template; each line has a value behind a name.
-_PACKAGE = re.compile(r".*\.pc(?:\.(?:in|cmake|em))?", re.I)
-_VALUES = re.compile(
+_PACKAGE = regex(r".*\.pc(?:\.(?:in|cmake|em))?", re.I)
+_VALUES = regex(
     r"^[ \t]*(?!(?:Name|Description|URL|Version|Requires|Conflicts)\b)[\w.]+[ \t]*[:=]((?:[^\n\\]|\\\r?\n|\\.){0,4000})",
     re.M,
 )
-_PLACE = re.compile(r"@\w{1,100}@")
+_PLACE = regex(r"@\w{1,100}@")
 #: Variables and options that change what is compiled.
-_FLAGS = re.compile(
+_FLAGS = regex(
     r"(?<![A-Za-z0-9])CMAKE_(?:[A-Z]{1,8}_FLAGS|PROJECT_\w{0,80}INCLUDE|TOOLCHAIN_FILE|[A-Z]{1,8}_COMPILER_LAUNCHER)|(?<![A-Za-z0-9])(?:CPP|CXX|C)FLAGS\b"
     r"|(?<![\w-])--?(?:include|imacros)\b|\bCPLUS_INCLUDE_PATH\b"
     r"|(?<![\w-])-D(?:\s|[\"',])*(?!CMAKE_|BUILD_|DEBIAN_|[A-Z0-9_]*PYTHON)[A-Za-z_]"

@@ -3,17 +3,17 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping
 
+from haros_ci.regex import regex
 from haros_ci.workspace.shell_values import MAX_VALUE
 from haros_ci.workspace.shell_variables import Variables
 
 MAX_LINES = 2_000
 
-_LINE = re.compile(r"(?:export[ \t]+)?([A-Za-z_]\w*)[ \t]*=[ \t]*([^\n]*)")
-_COMMENT = re.compile(r"(?:^|[ \t])#[^\n]*")
-_REFERENCE = re.compile(r"\$(?:\{(\w+)\}|(\w+))|(\$[{(]|`)")
+_LINE = regex(r"(?:export[ \t]+)?([A-Za-z_]\w*)[ \t]*=[ \t]*([^\n]*)")
+_COMMENT = regex(r"(?:^|[ \t])#[^\n]*")
+_REFERENCE = regex(r"\$(?:\{(\w+)\}|(\w+))|(\$[{(]|`)")
 
 
 def read_dotenv(text: str, inherited: Mapping[str, str | None] | None = None) -> Variables:

@@ -6,13 +6,14 @@ from __future__ import annotations
 import re
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
 from itertools import islice
 
 from haros_ci.model.build import Build, CMakeCommand
 from haros_ci.model.environment import Environment
 from haros_ci.model.launch_actions import SHARE
 from haros_ci.model.workspace import Workspace
+from haros_ci.records import dataclass
+from haros_ci.regex import regex
 from haros_ci.workspace.dotenv import read_dotenv
 from haros_ci.workspace.shell_values import names_set
 from haros_ci.workspace.shell_variables import Variables, read_script
@@ -23,19 +24,19 @@ MAX_HOOKS = 200
 
 _SHELLS = ("sh", "bash")
 _TEMPLATES = ("", ".em", ".in", ".develspace.em", ".develspace.in")
-_HOOK = re.compile(r"\.(sh|bash|dsv)(?:\.develspace)?(\.em|\.in)?\Z")
+_HOOK = regex(r"\.(sh|bash|dsv)(?:\.develspace)?(\.em|\.in)?\Z")
 #: What stands in brackets of a template on one line, up to their end; no other brackets begin in it.
 _TO_END = r"(?:[^\]\n@]|@(?!\[))*\]"
-_EM_BLOCK = re.compile(rf"@\[\s*(if|for|while|def|try|end|else|elif)\b{_TO_END}")
-_EM = re.compile(rf"@@|@#[^\n]*|@\((?:[^()\n]|\([^()\n]*\))*\)|@\{{[^{{}}]*\}}|@\[{_TO_END}|@[A-Za-z_][\w.]*")
-_IN = re.compile(r"@([A-Za-z_]\w*)@")
-_WORD = re.compile(r"[A-Za-z_]\w*")
+_EM_BLOCK = regex(rf"@\[\s*(if|for|while|def|try|end|else|elif)\b{_TO_END}")
+_EM = regex(rf"@@|@#[^\n]*|@\((?:[^()\n]|\([^()\n]*\))*\)|@\{{[^{{}}]*\}}|@\[{_TO_END}|@[A-Za-z_][\w.]*")
+_IN = regex(r"@([A-Za-z_]\w*)@")
+_WORD = regex(r"[A-Za-z_]\w*")
 #: Names that are directories of every install prefix: what a .dsv file sets to one of them is a path.
 _DIRECTORIES = frozenset(("", "bin", "etc", "include", "lib", "share", "src", "opt"))
 #: The install prefix that ament's setup files set for hooks (ament_package, environment_hook), and what stands for it here.
 PREFIX, _BELOW = "AMENT_CURRENT_PREFIX", "/@AMENT_CURRENT_PREFIX@"
 #: A path of a package below it.
-_SHARED = re.compile(r"share/([A-Za-z]\w*)((?:/(?!\.)[^/$@\s;:]+)+)/?")
+_SHARED = regex(r"share/([A-Za-z]\w*)((?:/(?!\.)[^/$@\s;:]+)+)/?")
 
 
 @dataclass(frozen=True, slots=True)

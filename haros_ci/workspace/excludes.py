@@ -5,8 +5,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
-from dataclasses import dataclass
 from fnmatch import translate
+
+from haros_ci.records import dataclass
 
 
 @dataclass(frozen=True, slots=True)

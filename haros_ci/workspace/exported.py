@@ -3,13 +3,13 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Collection, Mapping
 from dataclasses import replace
 
 from haros_ci.model.build import Build, Target
+from haros_ci.regex import regex
 
-_LIBRARIES = re.compile(r"\$\{(\w+)_(?:LIBRARIES|TARGETS)\}\Z")
+_LIBRARIES = regex(r"\$\{(\w+)_(?:LIBRARIES|TARGETS)\}\Z")
 _KINDS = ("library", "object", "interface")
 
 

@@ -3,15 +3,14 @@
 
 from __future__ import annotations
 
-import re
-
+from haros_ci.regex import regex
 from haros_ci.workspace.code_text import is_python
 
-_LINE = re.compile(r"#!([^\n]{0,500})")
-_QUOTES = re.compile(r"[\"'\\\\]|\$\{\w{0,100}\}")
-_PYTHON = re.compile(r"(?:python|pypy)[\d.]{0,6}")
+_LINE = regex(r"#!([^\n]{0,500})")
+_QUOTES = regex(r"[\"'\\\\]|\$\{\w{0,100}\}")
+_PYTHON = regex(r"(?:python|pypy)[\d.]{0,6}")
 #: Interpreters of other languages.
-_OTHERS = re.compile(
+_OTHERS = regex(
     r"(?:perl|ruby|node|deno|bun|zx|ts-node|julia|octave|gnuplot|lua|luajit|Rscript|tclsh|wish|[gm]?awk|make|cmake|php|expect|fish|nu|pwsh|bats|sed|bc|dc|gdb"
     r"|m4|osascript|groovy|scala|dart|swift|racket|guile|sbcl|runhaskell|ansible-playbook|nft|(?:ba|da|k|z|c|tc)?sh)[\d.]{0,6}"
 )

@@ -5,13 +5,15 @@ from __future__ import annotations
 
 import re
 
+from haros_ci.regex import regex
+
 #: Of the first comment, which may come after a licence.
 _MOST = 8_192
-_C = re.compile(
+_C = regex(
     r"(?:\s+|//[^\n]*|/\*.*?(?:\*/|\Z)|#(?:pragma once|ifndef \w+|define \w+[ \t]*\n|if !defined[ (]+\w+\)?))+", re.S
 )
-_PYTHON = re.compile(r"(?:\s+|#[^\n]*|[rRuU]?\"\"\".*?(?:\"\"\"|\Z)|[rRuU]?'''.*?(?:'''|\Z))+", re.S)
-_SAYS = re.compile(
+_PYTHON = regex(r"(?:\s+|#[^\n]*|[rRuU]?\"\"\".*?(?:\"\"\"|\Z)|[rRuU]?'''.*?(?:'''|\Z))+", re.S)
+_SAYS = regex(
     r"\b(?:auto|automatically|machine)[- ]?generated\b"
     r"|\bgenerated automatically\b"
     r"|\b(?:code|file|implementation|module) (?:was |is |has been )?generated (?:by|for|from|on|using|with)\b"
@@ -21,7 +23,7 @@ _SAYS = re.compile(
     r"|\bchanges made in this file will be lost\b",
     re.IGNORECASE | re.DOTALL | re.MULTILINE,
 )
-_NOT = re.compile(r"\b(?:not|isn't|no longer|un)[- ]*(?:be |been )?$", re.IGNORECASE)
+_NOT = regex(r"\b(?:not|isn't|no longer|un)[- ]*(?:be |been )?$", re.IGNORECASE)
 
 
 def leading_comment(language: str, data: bytes) -> str:

@@ -10,11 +10,11 @@ from __future__ import annotations
 
 import os
 import subprocess
-from dataclasses import dataclass
 from pathlib import Path
 from threading import Timer
 from typing import Any
 
+from haros_ci.records import dataclass
 from haros_ci.workspace.files import TooLarge, read_regular
 
 TIMEOUT = 120.0  # seconds

@@ -7,9 +7,10 @@ What is not of this form leaves the definition incomplete, and is never guessed.
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass, field
 
 from haros_ci.model.build import InterfaceField
+from haros_ci.records import dataclass, field
+from haros_ci.regex import regex
 
 MAX_TOKENS = 100_000
 MAX_DEPTH = 8
@@ -23,7 +24,7 @@ TYPES = {
     "wstring": "wstring",
 }
 TYPES |= {f"{sign}int{bits}": f"{sign}int{bits}" for sign in ("", "u") for bits in (8, 16, 32, 64)}
-_TOKEN = re.compile(
+_TOKEN = regex(
     r"(?P<skip>\s+|//[^\n]*|/\*.*?(?:\*/|\Z)|\#[^\n]*)"
     r'|(?P<token>L?"(?:[^"\\\n]|\\[^\n])*"?|\'(?:[^\'\\\n]|\\[^\n])*\'?|[A-Za-z_]\w*(?:::[A-Za-z_]\w*)*|[-+]?(?:0[xX][0-9a-fA-F]+|\d[\w.]*(?:[eE][-+]?\d+)?|\.\d+)|.)',
     re.S,

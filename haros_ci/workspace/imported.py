@@ -10,9 +10,9 @@ from __future__ import annotations
 import os
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
 from pathlib import Path
 
+from haros_ci.records import dataclass
 from haros_ci.workspace.git import GitError, Repository, repository_of, run_git
 from haros_ci.workspace.selection import parents
 

@@ -9,16 +9,17 @@ from typing import Any
 
 from haros_ci.model.build import Interface, InterfaceField
 from haros_ci.model.workspace import Problem
+from haros_ci.regex import regex
 from haros_ci.workspace.idl import read_idl
 
 MAX_FIELDS = 5_000
 
 _PRIMITIVE = frozenset(("bool", "byte", "char", "float32", "float64", "string", "wstring", "time", "duration"))
 _PRIMITIVE |= {f"{sign}int{bits}" for sign in ("", "u") for bits in (8, 16, 32, 64)}
-_TYPE = re.compile(r"(?P<base>(?:[A-Za-z]\w*/){0,2}[A-Za-z]\w*)(?P<bound><=\d+)?(?P<array>\[(?:<=)?\d*\])?\Z", re.ASCII)
-_LINE = re.compile(r"(?P<type>(?:[^\s=]|<=)+)\s+(?P<name>[A-Za-z]\w*)(?P<rest>.*)\Z", re.ASCII | re.DOTALL)
+_TYPE = regex(r"(?P<base>(?:[A-Za-z]\w*/){0,2}[A-Za-z]\w*)(?P<bound><=\d+)?(?P<array>\[(?:<=)?\d*\])?\Z", re.ASCII)
+_LINE = regex(r"(?P<type>(?:[^\s=]|<=)+)\s+(?P<name>[A-Za-z]\w*)(?P<rest>.*)\Z", re.ASCII | re.DOTALL)
 _SECTIONS = {"msg": 1, "srv": 2, "action": 3}
-_INTEGER = re.compile(r"[+-]?(?:0[xX](?:_?[0-9a-fA-F])+|0[bB](?:_?[01])+|0[oO](?:_?[0-7])+|\d+(?:_\d+)*)\Z", re.ASCII)
+_INTEGER = regex(r"[+-]?(?:0[xX](?:_?[0-9a-fA-F])+|0[bB](?:_?[01])+|0[oO](?:_?[0-7])+|\d+(?:_\d+)*)\Z", re.ASCII)
 
 
 def read_interface(path: str, text: str, package: str, *, is_generated: bool = True) -> tuple[Interface, list[Problem]]:

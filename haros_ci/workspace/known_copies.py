@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import re
 
+from haros_ci.regex import regex
 from haros_ci.workspace.generated import leading_comment
 
 #: Fewer lines have only wrappers, whose comments may name the library, too.
@@ -93,12 +94,12 @@ _SCRIPTS: tuple[tuple[str, str, str], ...] = (
     (r"bottle\.py", r"Copyright.{0,40}\bMarcel Hellkamp\b", "bottle"),
 )
 _KNOWN = {
-    language: tuple((re.compile(n), re.compile(s, re.IGNORECASE | re.DOTALL), own) for n, s, own in table)
+    language: tuple((regex(n), regex(s, re.IGNORECASE | re.DOTALL), own) for n, s, own in table)
     for language, table in (("cpp", _TABLE), ("python", _SCRIPTS))
 }
-_WRAPS = re.compile(r"[_-](?:ros[12]?|vendor|catkin|wrapper)$", re.IGNORECASE)
+_WRAPS = regex(r"[_-](?:ros[12]?|vendor|catkin|wrapper)$", re.IGNORECASE)
 _ANY = {
-    language: re.compile("|".join(name for name, _, _ in table))
+    language: regex("|".join(name for name, _, _ in table))
     for language, table in (("cpp", _TABLE), ("python", _SCRIPTS))
 }
 

@@ -5,6 +5,8 @@ from __future__ import annotations
 
 import re
 
+from haros_ci.regex import regex
+
 #: How much of a file script_language wants to see.
 HEAD = 128
 
@@ -37,20 +39,20 @@ SUFFIXES = {
 }
 
 #: Environment hooks that are templates or of ament's own form, and files of environment variables.
-_ENVIRONMENT = re.compile(r".*\.(?:(?:sh|bash)(?:\.develspace)?\.(?:em|in)|dsv(?:\.in)?|env)|(?:.*\.)?env\.\w+|\.env")
+_ENVIRONMENT = regex(r".*\.(?:(?:sh|bash)(?:\.develspace)?\.(?:em|in)|dsv(?:\.in)?|env)|(?:.*\.)?env\.\w+|\.env")
 
 #: ``#!/usr/bin/python3``, ``#!/usr/bin/env python``, ``#!/usr/bin/env -S python3 -u``, ``#!/usr/bin/env --split-string="python3"``, ``#!/bin/sh -e``
-_SHEBANG = re.compile(
+_SHEBANG = regex(
     rb"#![ \t]*(?:\S*/env[ \t]+(?:-\S+[ \t]+|\w+=\S*[ \t]+)*(?:-\w{0,8}S|--split-string=)?)?"
     rb"[\"']?(?:[^\s\"']*/)?(?:(python|pypy)[\d.]*|(?:ba|da|k)?sh)(?:[\s\"']|$)"
 )
 
 
 #: Templates of which CMake writes descriptions: the ending of what is written, perhaps a word, and that of a template.
-_DESCRIPTION = re.compile(r".+\.(?:urdf|xacro|sdf|world|gazebo|model|xml)(?:\.\w{1,30})?\.(?:in|cmake|template|tmpl)")
+_DESCRIPTION = regex(r".+\.(?:urdf|xacro|sdf|world|gazebo|model|xml)(?:\.\w{1,30})?\.(?:in|cmake|template|tmpl)")
 
 
-_KEPT = re.compile(r".+(?:\.(?:bak|backup|old|orig|rej|sav|save|swp|tmp)[\d_-]{0,20}|~)", re.IGNORECASE)
+_KEPT = regex(r".+(?:\.(?:bak|backup|old|orig|rej|sav|save|swp|tmp)[\d_-]{0,20}|~)", re.IGNORECASE)
 
 
 def language_of(name: str) -> str | None:

@@ -6,6 +6,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Mapping
 
+from haros_ci.regex import regex
 from haros_ci.workspace.known_copies import is_of_project
 
 #: A library, as packages of it are called; how the directory is called ("" is any name); and files that are in it, all of them.
@@ -44,11 +45,11 @@ _BY_FIRST: dict[str, list[tuple[str, str, tuple[str, ...]]]] = {}
 for _tree in _TREES:
     _BY_FIRST.setdefault(_tree[2][0].rpartition("/")[2], []).append(_tree)
 #: The drivers of a family of microcontrollers, as its maker gives them out: ``stm32f10x_lib/inc/stm32f10x_gpio.h`` and the source beside.
-_DRIVER = re.compile(r"(?:.{1,4000}/)?((stm32[a-z]\w{1,5}?)[^/]{0,40})/(?:inc|Inc|include)/\2_(?:hal_|ll_)?gpio\.h")
+_DRIVER = regex(r"(?:.{1,4000}/)?((stm32[a-z]\w{1,5}?)[^/]{0,40})/(?:inc|Inc|include)/\2_(?:hal_|ll_)?gpio\.h")
 #: ``solver-3.2.1``, ``libcam-x86_64-1.3``; a version of one number is anybody's.
-_RELEASE = re.compile(r"([A-Za-z][\w+-]{0,80}?)[-_]v?\d{1,4}(?:\.\d{1,6}){1,3}")
+_RELEASE = regex(r"([A-Za-z][\w+-]{0,80}?)[-_]v?\d{1,4}(?:\.\d{1,6}){1,3}")
 #: What a release of a project has at its root, besides a licence.
-_OF_RELEASE = re.compile(
+_OF_RELEASE = regex(
     r"(?:configure(?:\.ac|\.in)?|authors|install|news|changes|changelog|history|release[-_]?notes|copyright)(?:\.(?:txt|md|rst))?",
     re.IGNORECASE,
 )

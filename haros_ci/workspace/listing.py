@@ -4,10 +4,10 @@
 from __future__ import annotations
 
 import os
-from dataclasses import dataclass, field
 from pathlib import Path
 
 from haros_ci.model.workspace import Problem
+from haros_ci.records import dataclass, field
 from haros_ci.workspace.git import LISTING, GitError, Repository, listed_files, repository_of
 from haros_ci.workspace.selection import MARKERS, is_never_source, is_output
 

@@ -6,9 +6,9 @@ from __future__ import annotations
 import os
 import posixpath
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 
 from haros_ci.model.workspace import Problem, Workspace
+from haros_ci.records import dataclass
 from haros_ci.workspace.assemble import Content, SymbolicLink
 from haros_ci.workspace.discover import too_large, unusable_name
 from haros_ci.workspace.git import REGULAR, BaselineUnavailable, GitError, Repository, run_git

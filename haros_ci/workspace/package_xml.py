@@ -12,7 +12,6 @@ condition on ``$ROS_VERSION`` included.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from types import MappingProxyType
@@ -21,6 +20,7 @@ from haros_ci.model.condition import evaluate
 from haros_ci.model.element import Element
 from haros_ci.model.package import Dependency, Package
 from haros_ci.model.workspace import Problem
+from haros_ci.regex import regex
 from haros_ci.workspace.xml import XmlError, parse_xml
 
 #: Tags that name another package which this one needs. ``conflict``, ``replace`` and groups do not.
@@ -43,7 +43,7 @@ _TAGS = frozenset(DEPENDENCY_TAGS) | frozenset(
         *("group_depend", "member_of_group"),
     )
 )
-_NAME = re.compile(r"[A-Za-z][\w-]{0,100}")
+_NAME = regex(r"[A-Za-z][\w-]{0,100}")
 
 #: Packages that exist in one ROS only, and are needed by most that are written for it.
 _ROS_OF = {"catkin": 1, "roscpp": 1, "rospy": 1, "message_generation": 1, "rclcpp": 2, "rclpy": 2}

@@ -5,9 +5,9 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
-from dataclasses import dataclass, field
 from pathlib import Path
 
+from haros_ci.records import dataclass, field
 from haros_ci.workspace.base_commit import base_commit, only_repository_below
 from haros_ci.workspace.git import BaselineUnavailable, GitError, Repository, repository_of, run_git
 

@@ -4,13 +4,13 @@
 from __future__ import annotations
 
 import posixpath
-import re
 
 from haros_ci.model.build import PluginClass
 from haros_ci.model.element import Element
 from haros_ci.model.location import Location
 from haros_ci.model.package import Package
 from haros_ci.model.workspace import Problem
+from haros_ci.regex import regex
 from haros_ci.workspace.tree import PathTree
 from haros_ci.workspace.xml import XmlError, parse_xml
 
@@ -42,9 +42,9 @@ def exported_descriptions(tree: PathTree, package: Package) -> tuple[list[tuple[
     return found, problems
 
 
-_PLACEHOLDER = re.compile(r"\$[({]|@\w+@")
-_ATTRIBUTE = re.compile(r"""=\s*(?:"[^"]*"|'[^']*')""")
-_DECLARATION = re.compile(r"\s*<\?xml[^>]*\?>")
+_PLACEHOLDER = regex(r"\$[({]|@\w+@")
+_ATTRIBUTE = regex(r"""=\s*(?:"[^"]*"|'[^']*')""")
+_DECLARATION = regex(r"\s*<\?xml[^>]*\?>")
 
 
 def _root(text: str) -> Element | XmlError:

@@ -8,9 +8,10 @@ from functools import cached_property
 
 from haros_ci.model.package import Package
 from haros_ci.model.workspace import Workspace
+from haros_ci.regex import regex
 
 #: Names of targets and programs that are for tests, whatever a build says of them.
-_OF_TESTS = re.compile(r"test|mock|spec(?![a-z])", re.IGNORECASE)
+_OF_TESTS = regex(r"test|mock|spec(?![a-z])", re.IGNORECASE)
 
 
 class Products:

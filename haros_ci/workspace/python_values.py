@@ -10,6 +10,8 @@ import warnings
 from collections.abc import Callable, Mapping
 from typing import Any
 
+from haros_ci.regex import regex
+
 MAX_TEXT = 10_000
 MAX_SOURCE = 500_000
 MAX_DEPTH = 50
@@ -18,15 +20,15 @@ MAX_DEPTH = 50
 MISSING = object()
 
 _NAMES: Mapping[str, Any] = {"True": True, "False": False, "None": None, "pi": math.pi}
-_PRINT = re.compile(r"^([ \t]*)print[ \t]+(?!\()(.*)$", re.MULTILINE)
-_EXEC = re.compile(r"^([ \t]*)exec[ \t]+(?!\()(.*)$", re.MULTILINE)
-_EXCEPT = re.compile(r"^([ \t]*except[ \t]+[\w.]+),[ \t]*(\w+)[ \t]*:", re.MULTILINE)
+_PRINT = regex(r"^([ \t]*)print[ \t]+(?!\()(.*)$", re.MULTILINE)
+_EXEC = regex(r"^([ \t]*)exec[ \t]+(?!\()(.*)$", re.MULTILINE)
+_EXCEPT = regex(r"^([ \t]*except[ \t]+[\w.]+),[ \t]*(\w+)[ \t]*:", re.MULTILINE)
 #: Where ``%`` and ``format()`` put a text, and what else of the kind there may be: that is not computed.
-_PERCENT = re.compile(r"%s")
-_BRACES = re.compile(r"\{\}")
-_OTHER_PLACES = {_PERCENT: re.compile("%"), _BRACES: re.compile("[{}]")}
+_PERCENT = regex(r"%s")
+_BRACES = regex(r"\{\}")
+_OTHER_PLACES = {_PERCENT: regex("%"), _BRACES: regex("[{}]")}
 _MAX_LOOP = 100
-_OCTAL = re.compile(r"(?<![\w.])0([0-7]+)[lL]?(?![\w.])")
+_OCTAL = regex(r"(?<![\w.])0([0-7]+)[lL]?(?![\w.])")
 
 
 def parse_python(text: str) -> ast.Module | str:

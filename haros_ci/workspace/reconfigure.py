@@ -4,12 +4,12 @@
 from __future__ import annotations
 
 import ast
-from dataclasses import dataclass
 from typing import Any
 
 from haros_ci.model.build import ConfigFile, ConfigParameter
 from haros_ci.model.location import Location
 from haros_ci.model.workspace import Problem
+from haros_ci.records import dataclass
 from haros_ci.workspace.python_values import MISSING, dotted, parse_python, value_of
 
 MAX_PARAMETERS = 2_000

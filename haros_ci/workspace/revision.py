@@ -6,11 +6,11 @@ from __future__ import annotations
 import os
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
-from dataclasses import dataclass
 from itertools import chain
 from pathlib import Path
 
 from haros_ci.model.workspace import Workspace
+from haros_ci.records import dataclass
 from haros_ci.workspace.assemble import Content, SymbolicLink, assemble
 from haros_ci.workspace.base import base_workspace, scratch_directory, write_contents
 from haros_ci.workspace.discover import MAX_FILE_SIZE, discover, manifests_above, unusable_name

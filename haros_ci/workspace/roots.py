@@ -4,10 +4,10 @@
 from __future__ import annotations
 
 import os
-from dataclasses import dataclass
 from pathlib import Path
 
 from haros_ci.errors import UserError
+from haros_ci.records import dataclass
 
 
 @dataclass(frozen=True, slots=True)

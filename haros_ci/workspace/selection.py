@@ -4,10 +4,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Container, Iterable, Iterator, Mapping
-from dataclasses import dataclass
 from typing import Protocol
 
 from haros_ci.model.package import OTHER
+from haros_ci.records import dataclass
 from haros_ci.workspace.excludes import Excludes
 from haros_ci.workspace.language import describes, language_of, sets_environment
 

@@ -10,17 +10,18 @@ from typing import Any
 from haros_ci.model.build import EntryPoint, RefusedEntry
 from haros_ci.model.location import Location
 from haros_ci.model.package import Package
+from haros_ci.regex import regex
 from haros_ci.workspace.tree import PathTree
 
 MAX_LINES = 10_000
 _LONGEST = 500
 
-_SECTION = re.compile(r"\[([^\]]+)\]")
-_ENTRY = re.compile(r"\s*([\w.-]+)\s*=\s*([\w.]+)\s*:\s*([\w.]+)\s*(?:\[.*\]\s*)?\Z")
+_SECTION = regex(r"\[([^\]]+)\]")
+_ENTRY = regex(r"\s*([\w.-]+)\s*=\s*([\w.]+)\s*:\s*([\w.]+)\s*(?:\[.*\]\s*)?\Z")
 #: What setuptools takes for an entry point (``pkg_resources.EntryPoint.parse``), with the function that a program needs.
-_TAKEN = re.compile(r"[^=]+=\s*[\w.]+\s*:\s*[\w.]+\s*(?:\[.*\])?\s*\Z")
-_SCRIPT = re.compile(r"""\s*["']?([\w.-]+)["']?\s*=\s*["']([^"']+)["']""")
-_KEY = re.compile(r"([\w.\- ]+?)\s*[=:]\s*(.*)\Z", re.DOTALL)
+_TAKEN = regex(r"[^=]+=\s*[\w.]+\s*:\s*[\w.]+\s*(?:\[.*\])?\s*\Z")
+_SCRIPT = regex(r"""\s*["']?([\w.-]+)["']?\s*=\s*["']([^"']+)["']""")
+_KEY = regex(r"([\w.\- ]+?)\s*[=:]\s*(.*)\Z", re.DOTALL)
 
 
 def console_scripts(text: str) -> list[tuple[str, int, int]]:

@@ -7,13 +7,13 @@ import ast
 import posixpath
 from collections import deque
 from collections.abc import Iterable
-from dataclasses import dataclass
 from typing import Any
 
 from haros_ci.model.build import Distribution, EntryPoint, Installed, RefusedEntry
 from haros_ci.model.location import Location
 from haros_ci.model.package import Package
 from haros_ci.model.workspace import Problem
+from haros_ci.records import dataclass
 from haros_ci.workspace.cmake_install import tidy
 from haros_ci.workspace.python_values import (
     MISSING,

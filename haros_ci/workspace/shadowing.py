@@ -13,6 +13,7 @@ from collections.abc import Collection, Iterable, Iterator
 
 from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Problem, Workspace
+from haros_ci.regex import regex
 from haros_ci.workspace.cmake_parse import ParsedCommand, parse_cmake
 from haros_ci.workspace.cut import cut
 from haros_ci.workspace.selection import parents
@@ -21,10 +22,10 @@ from haros_ci.workspace.selection import parents
 MOST = 20
 _MOST_LOOKS = 500_000
 _HEADERS = (".h", ".hh", ".hpp", ".hxx", ".h++", ".inl", ".ipp", ".tpp", ".txx")
-_INCLUDES = re.compile(r"^[ \t]*(?:#|%:)[ \t]*(?:include|import)[ \t]*([\"<])([^\">\n]{1,300})", re.M)
+_INCLUDES = regex(r"^[ \t]*(?:#|%:)[ \t]*(?:include|import)[ \t]*([\"<])([^\">\n]{1,300})", re.M)
 _PATHS = frozenset(("include_directories", "target_include_directories"))
 #: Shared libraries by whose names Python imports them before a module in source.
-_EXTENSION = re.compile(r"(.+?)(?:\.cpython-[\w.-]+|\.abi3)?\.so")
+_EXTENSION = regex(r"(.+?)(?:\.cpython-[\w.-]+|\.abi3)?\.so")
 #: Directories that are called so everywhere, and that nobody imports from Python.
 _USUAL = frozenset(("test", "lib2to3", "this", "site"))
 #: Headers of C that C++ has by these names, too ([depr.c.headers]), and of POSIX.

@@ -6,22 +6,23 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from collections.abc import Set as AbstractSet
-from dataclasses import dataclass, field
 
+from haros_ci.records import dataclass, field
+from haros_ci.regex import regex
 from haros_ci.workspace.shell_words import HOLE, Part, ShellVariable, UnreadableScript, Word
 
 #: Characters of one value, and how many variables there may be.
 MAX_VALUE, MAX_NAMES = 4_000, 500
 
 #: Variables that the shell, the system, ROS or the simulator has set before: nobody knows to what.
-_TAKEN = re.compile(
+_TAKEN = regex(
     r"(?:HOME|USER|LOGNAME|PATH|PWD|OLDPWD|SHELL|HOSTNAME|HOST|LANG|LC_\w+|TERM|DISPLAY|SHLVL|UID|EUID|TMPDIR|RANDOM|PPID|EDITOR"
     r"|LD_LIBRARY_PATH|PYTHONPATH|PKG_CONFIG_PATH|CMAKE_\w+|AMENT_\w+|COLCON_\w+|CATKIN_\w+|_CATKIN\w*|GAZEBO_\w+|GZ_\w+|IGN_\w+|XDG_\w+|SSH_\w+|BASH\w*"
     r"|ZSH\w*|ROS_(?:DISTRO|VERSION|PYTHON_VERSION|ROOT|PACKAGE_PATH|MASTER_URI|ETC_DIR|IP|HOSTNAME))\Z"
 )
-_SET = re.compile(r"(?<![\w$-])([A-Za-z_]\w*)\+?=|\$\{([A-Za-z_]\w*):?=")
-_NAME = re.compile(r"[A-Za-z_]\w*\Z")
-_ASSIGNMENT = re.compile(r"([A-Za-z_]\w*)(\+?)=")
+_SET = regex(r"(?<![\w$-])([A-Za-z_]\w*)\+?=|\$\{([A-Za-z_]\w*):?=")
+_NAME = regex(r"[A-Za-z_]\w*\Z")
+_ASSIGNMENT = regex(r"([A-Za-z_]\w*)(\+?)=")
 
 
 def names_set(text: str) -> frozenset[str]:

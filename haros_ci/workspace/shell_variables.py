@@ -9,8 +9,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, field
 
+from haros_ci.records import dataclass, field
 from haros_ci.workspace.shell_values import ShellState, names_set
 from haros_ci.workspace.shell_words import Operator, Token, UnreadableScript, Word, tokens
 

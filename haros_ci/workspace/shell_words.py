@@ -3,9 +3,10 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
-from dataclasses import dataclass
+
+from haros_ci.records import dataclass
+from haros_ci.regex import regex
 
 #: Stands for what a template puts in when it is expanded.
 HOLE = "\ue001"
@@ -14,9 +15,9 @@ MAX_SCRIPT, MAX_TOKENS = 1 << 16, 1 << 14
 #: How deep quotes and expansions may stand in one another.
 MAX_NESTED = 8
 
-_NAME = re.compile(r"[A-Za-z_]\w*")
-_VARIABLE = re.compile(r"\{([A-Za-z_]\w*)(?:(:?[-=+?])|\})")
-_OPERATORS = re.compile(r"&&|\|\||;;|[;|()\n]|&(?!>)|&?[<>]+&?(?:\d|-)?")
+_NAME = regex(r"[A-Za-z_]\w*")
+_VARIABLE = regex(r"\{([A-Za-z_]\w*)(?:(:?[-=+?])|\})")
+_OPERATORS = regex(r"&&|\|\||;;|[;|()\n]|&(?!>)|&?[<>]+&?(?:\d|-)?")
 
 
 class UnreadableScript(Exception):

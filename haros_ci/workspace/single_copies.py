@@ -9,6 +9,7 @@ from collections.abc import Collection, Iterable
 from functools import cached_property
 
 from haros_ci.model.package import SourceFile
+from haros_ci.regex import regex
 from haros_ci.workspace.generated import leading_comment
 from haros_ci.workspace.judged import Judged
 
@@ -20,29 +21,29 @@ OTHERS = 5
 MOST = 3
 #: Characters of a first comment that are looked at.
 _HEAD = 8_192
-_OWNER = re.compile(
+_OWNER = regex(
     r"(?:\bcopyright|\bSPDX-FileCopyrightText)\b[ \t:]*(?=[^\n]{0,60}?(?:\d{4}|\(c\)|©))(?:\(c\)|©)?[ \t]*(?:\d{4}[\d \t,–-]{0,60}(?:present\b)?)?[ \t,]*(?:\(c\)|©)?"
     r"[ \t]*(?:by\b)?[ \t]*([^\n\d<(;,]{3,80})",
     re.IGNORECASE,
 )
 _LICENCES = {
-    "mit": re.compile(
+    "mit": regex(
         r"permission is hereby granted, free of charge|\bmit\b.{0,20}\blicen[cs]e|identifier: mit\b", re.IGNORECASE
     ),
-    "bsd": re.compile(r"redistribution and use in source and binary forms|\bbsd\b", re.IGNORECASE),
-    "gpl": re.compile(r"\bgnu (?:lesser |library |affero )?general public licen[cs]e|\b[al]?gpl", re.IGNORECASE),
-    "apache": re.compile(r"\bapache\b.{0,20}\blicen[cs]e|\bapache[- ]?2|\bapache\b", re.IGNORECASE),
-    "mpl": re.compile(r"\bmozilla public licen[cs]e|\bmpl\b", re.IGNORECASE),
-    "boost": re.compile(r"\bboost software licen[cs]e|\bbsl\b", re.IGNORECASE),
-    "zlib": re.compile(r"this software is provided 'as-is'|\bzlib\b", re.IGNORECASE),
-    "isc": re.compile(r"permission to use, copy, modify,? and(?:/or)? distribute|\bisc\b", re.IGNORECASE),
+    "bsd": regex(r"redistribution and use in source and binary forms|\bbsd\b", re.IGNORECASE),
+    "gpl": regex(r"\bgnu (?:lesser |library |affero )?general public licen[cs]e|\b[al]?gpl", re.IGNORECASE),
+    "apache": regex(r"\bapache\b.{0,20}\blicen[cs]e|\bapache[- ]?2|\bapache\b", re.IGNORECASE),
+    "mpl": regex(r"\bmozilla public licen[cs]e|\bmpl\b", re.IGNORECASE),
+    "boost": regex(r"\bboost software licen[cs]e|\bbsl\b", re.IGNORECASE),
+    "zlib": regex(r"this software is provided 'as-is'|\bzlib\b", re.IGNORECASE),
+    "isc": regex(r"permission to use, copy, modify,? and(?:/or)? distribute|\bisc\b", re.IGNORECASE),
 }
 #: Who has changed what somebody else wrote goes on to write it.
-_CHANGED = re.compile(
+_CHANGED = regex(
     r"\b(?:contributions? (?:by|copyright)|adapted|modified (?:by|for|from|version)|modifications? (?:by|copyright)|ported (?:by|from|to)|port of)\b",
     re.IGNORECASE,
 )
-_WORD = re.compile(r"[^\W\d_]{4,}")
+_WORD = regex(r"[^\W\d_]{4,}")
 #: Words of an owner that say nothing of who it is.
 _COMMON = frozenset(
     """
@@ -51,11 +52,11 @@ _COMMON = frozenset(
     department engineering science school copyright holder holders notice
     """.split()
 )
-_OF_ROS = re.compile(
+_OF_ROS = regex(
     r"\b(?:rospy|rclpy|rclcpp\w*|roslib|roscpp|rosbag\w*|nodelet|pluginlib|cv_bridge|dynamic_reconfigure|ament_\w+|catkin\w*|\w+_(?:msgs|srvs|interfaces))\b"
     r"|[<\"]ros/"
 )
-_PARTS = re.compile(
+_PARTS = regex(
     r"^[ \t]*(?:#[ \t]*include[ \t]*[<\"]([^>\"\n]{1,200})|from[ \t]+\.*([\w.]*)[ \t]+import\b[ \t]*(\w*)|import[ \t]+([\w., \t]{1,200}))",
     re.MULTILINE,
 )

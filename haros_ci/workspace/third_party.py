@@ -6,6 +6,7 @@ from __future__ import annotations
 import re
 from collections.abc import Collection, Iterable, Mapping
 
+from haros_ci.regex import regex
 from haros_ci.workspace.library_trees import library_trees, releases
 
 #: Names that a copy's directory has in C++ and Python projects.
@@ -13,9 +14,9 @@ NAMES = frozenset(
     "third_party thirdparty third-party 3rdparty 3rd_party 3rd-party 3rd vendor vendored external externals extern deps"
     " external_lib external_libs external_library external_libraries".split()
 )
-_LICENCE = re.compile(r"(?:licen[cs]e|copying|unlicense)(?:[-._][\w.-]+)?", re.IGNORECASE)
+_LICENCE = regex(r"(?:licen[cs]e|copying|unlicense)(?:[-._][\w.-]+)?", re.IGNORECASE)
 #: What people write behind the name of a package that they have kept and do not use: in English, Spanish and Portuguese, French, German, Italian, Chinese.
-_BACKUP = re.compile(
+_BACKUP = regex(
     r"(.+?)[-_. (\[]{1,3}(?:backup|bak|old|orig|deprecated|obsolete|unused|not[-_ ]?used|copia|no[-_ ]us(?:ado|ada|ar)|sin[-_ ]usar|n[aã]o[-_ ]usad[oa]|obsoleto"
     r"|antiguo|inutilis[ée]|ancien|unbenutzt|veraltet|vecchio|备份|旧版|废弃|弃用|不用)[-_.]?\d{0,8}[)\]]?",
     re.IGNORECASE,

@@ -13,9 +13,10 @@ from haros_ci.model.former_names import is_archived, superseded
 from haros_ci.model.package import SourceFile
 from haros_ci.model.python_names import as_python_reads
 from haros_ci.model.unbuilt import SUFFIXES, is_cmake, not_included, uncompiled
+from haros_ci.regex import regex
 from haros_ci.workspace.judged import Judged
 
-_INCLUDE = re.compile(r"^[ \t]*#[ \t]*include[ \t]*[<\"]([^>\"\n]+)", re.MULTILINE)
+_INCLUDE = regex(r"^[ \t]*#[ \t]*include[ \t]*[<\"]([^>\"\n]+)", re.MULTILINE)
 #: Builds other than CMake, in whose directory, or below it, nothing is known.
 _OTHER_BUILDS = frozenset(
     "makefile gnumakefile platformio.ini build build.bazel meson.build sconstruct sdkconfig library.properties .project".split()
@@ -24,25 +25,25 @@ _OTHER_PROJECTS = (".pro", ".ino", ".vcxproj", ".mk", ".bazel", ".gyp", ".ioc", 
 #: Files that may compile a source: a Python extension, a script.
 _BUILDING = ("setup", "python", "shell", "dockerfile", "yaml")
 #: Names of Python files that tools find by their names.
-_FOUND = re.compile(r"(?:__\w+__|setup|conf|conftest|noxfile|fabfile|manage|test_.*|.*_test|.*\.launch|launch_.*)")
+_FOUND = regex(r"(?:__\w+__|setup|conf|conftest|noxfile|fabfile|manage|test_.*|.*_test|.*\.launch|launch_.*)")
 #: Words in the names of directories that hold what somebody has tried out.
 _SKETCHES = frozenset(
     "drafts experiments notes playground sandbox scratch scratchpad temp testing tmp trials tryout".split()
 )
-_ARCHIVED_TEST = re.compile(r"test_.*|.*_test")
+_ARCHIVED_TEST = regex(r"test_.*|.*_test")
 #: The first comments and text of a Python file, and what they say of one that is kept for reference.
 _HEAD = 2_000
-_FIRST = re.compile(
+_FIRST = regex(
     r"(?:[ \t]*#[^\n]*\n|[ \t]*\n)*(?:[rRuU]?\"\"\"(?:(?!\"\"\").)*\"\"\"|[rRuU]?'''(?:(?!''').)*''')?", re.DOTALL
 )
-_GIVEN_UP = re.compile(
+_GIVEN_UP = regex(
     r"^\W*(?:\w+\W+)?DEPRECATED\b|\b(?:this|the) (?:script|file|module|node|program|version) is (?:now )?(?:deprecated|obsolete|superseded|no longer (?:used|maintained))"
     r"|\b(?:deprecated|obsolete)\b[^.\n]{0,80}\b(?:do not use|don't use|kept for reference|use \S+ instead)|\bkept (?:only )?for reference only\b",
     re.IGNORECASE | re.MULTILINE,
 )
 _OF_TOOLS = frozenset("test tests launch cfg doc docs plugins plugin".split())
 #: What imports modules whose names stand nowhere.
-_DYNAMIC = re.compile(
+_DYNAMIC = regex(
     r"\bimport_module\s*\(|\b__import__\s*\(|\bpkgutil\b|\biter_modules\b|\bspec_from_file_location\b|\bload_source\s*\("
     r"|\bSourceFileLoader\b|\brun_path\s*\(|\brunpy\b|\bexecfile\s*\(|\*\.py\b|\blistdir\s*\(\s*os\.path\.dirname"
 )

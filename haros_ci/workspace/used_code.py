@@ -15,6 +15,7 @@ from functools import cached_property
 from haros_ci.model.package import SourceFile
 from haros_ci.model.python_names import as_python_reads
 from haros_ci.model.workspace import Workspace
+from haros_ci.regex import regex
 from haros_ci.workspace.cmake_plain import spelled_out
 from haros_ci.workspace.code_text import has_body, has_lines_of_python, is_cpp, is_python
 from haros_ci.workspace.first_lines import asks_for_another, asks_for_python
@@ -36,8 +37,8 @@ from haros_ci.workspace.used_names import (
 )
 
 #: The beginning of a launch file in XML, and in YAML, whatever its name is.
-_LAUNCH = re.compile(r"(?:\s|<\?[^>]{0,1000}>|<!DOCTYPE[^<>\[]{0,1000}>|<!--(?:[^-]|-(?!->))*-->)*<launch[\s/>]")
-_LAUNCH_YAML = re.compile(
+_LAUNCH = regex(r"(?:\s|<\?[^>]{0,1000}>|<!DOCTYPE[^<>\[]{0,1000}>|<!--(?:[^-]|-(?!->))*-->)*<launch[\s/>]")
+_LAUNCH_YAML = regex(
     r"(?:\s|#[^\n]{0,1000}\n|(?:---|%)[^\n]{0,1000}\n)*(?:(?:!!?\w{0,80}|&\w{1,80}|\?)\s+|\{\s*){0,8}[\"']?launch[\"']?\s*:\s*(?:#[^\n]{0,1000}\n\s*){0,20}(?:-|\[\s*\{)"
 )
 #: Code that no reader here knows, and no other name is needed for: Cython, and Python that is compiled.
@@ -47,39 +48,39 @@ _UNKNOWN = {"pyx": "Cython", "pxi": "Cython", "pyc": "Python that is compiled"} 
 _UNKNOWN |= dict.fromkeys(("cppm", "ixx", "ccm", "cxxm", "c++m", "mpp"), "a module of C++") | {"mm": "Objective-C++"}
 _REFERRING = frozenset(("cpp", "python", "cmake", "launch", "setup", "package"))
 #: What a manifest says of packages, by their names, and in comments: no file is reached by it.
-_NAMES_PACKAGES = re.compile(r"<!--.*?(?:-->|\Z)|<(?:\w{0,30}depend|name)\b[^<>]{0,400}>[^<>]{0,400}<", re.DOTALL)
+_NAMES_PACKAGES = regex(r"<!--.*?(?:-->|\Z)|<(?:\w{0,30}depend|name)\b[^<>]{0,400}>[^<>]{0,400}<", re.DOTALL)
 
 
-_WILD = re.compile(r"[*?\[]")
+_WILD = regex(r"[*?\[]")
 #: What runs the text of a file as Python.
-_RUNS = re.compile(
+_RUNS = regex(
     r"(?:(?<![.\w])|\bbuiltins\.)(?:exec|execfile|compile|eval)\s*\("
     r"|\b(?:SourceFileLoader|spec_from_file_location|run_path|load_source|load_compiled|spec_from_loader|zipimporter|(?:__)?builtins(?:__)?)\b"
     r"|\bsys\.path\b"
 )
 #: What gives a file to an interpreter of Python in one line: CMake, launch files, ``subprocess``.
-_GIVEN = re.compile(
+_GIVEN = regex(
     r"(?:\b(?:i?python|pypy|jupyter|papermill)[\d.]{0,6}|\bsys\.executable|\$\{\w{0,60}PYTHON\w{0,60}\})(?!\w)([^\n]{1,1000})",
     re.I,
 )
 #: In files of dynamic_reconfigure, which are read as such (``cfg/Planner.cfg``).
 _RECONFIGURE = "ParameterGenerator"
 #: A line of a .pth file that is run (docs.python.org, site), and a cell of a notebook with code in it (nbformat).
-_RUN_AT_START = re.compile(r"^import[ \t]", re.M)
-_CELL = re.compile(r"\"cell_type\"\s*:\s*\"code\"")
+_RUN_AT_START = regex(r"^import[ \t]", re.M)
+_CELL = regex(r"\"cell_type\"\s*:\s*\"code\"")
 #: Words of what may run a text or a program, in Python code that names a file with Python in it.
-_MAY_RUN = re.compile(
+_MAY_RUN = regex(
     r"\b(?:exec|execfile|eval|compile|runpy|subprocess|Popen|popen|system|exec[lv]p?e?|spawn\w*|pty|run|runcode|runsource|interact|InteractiveInterpreter"
     r"|InteractiveConsole|cProfile|profile|timeit|doctest|testfile|importlib|import_module|__import__|imp|zipimport|Loader|SourceFileLoader|PYTHONSTARTUP"
     r"|FindExecutable|ExecuteProcess|Node)\b"
 )
 #: How C++ begins: a directive, a comment, a declaration.
-_BEGINS_CPP = re.compile(
+_BEGINS_CPP = regex(
     r"\s*(?:#[ \t]*(?:pragma|include|if|ifdef|ifndef|define)\b|//|/\*|(?:namespace|using|template|struct|class|enum|union|static|inline|extern|constexpr|typedef)\b"
     r"|[A-Za-z_][\w:<>,&*\[\] \t]{0,300}(?:\([^;{}]{0,500}\)\s{0,20}(?:const\s{0,20})?\{|=|;))"
 )
-_IDENTIFIER = re.compile(r"\b[A-Za-z_]\w{0,100}\b")
-_BOUND = re.compile(r"\b([A-Za-z_]\w{0,100})[ \t]*(?::[^=\n]{0,100})?=(?!=)|\bas[ \t]+([A-Za-z_]\w{0,100})")
+_IDENTIFIER = regex(r"\b[A-Za-z_]\w{0,100}\b")
+_BOUND = regex(r"\b([A-Za-z_]\w{0,100})[ \t]*(?::[^=\n]{0,100})?=(?!=)|\bas[ \t]+([A-Za-z_]\w{0,100})")
 _HEAD = 512
 #: Files of other languages that may read as calls of Python, or are read as what they are.
 _NO_PROGRAMS = frozenset(("cmake", "markdown", "dockerfile"))

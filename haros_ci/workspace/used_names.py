@@ -7,45 +7,46 @@ import html
 import re
 from collections.abc import Iterable, Iterator
 
+from haros_ci.regex import regex
 from haros_ci.workspace.language import language_of
 
 #: What is put behind the name of a file of which a build makes one: CMake's, empy's, Jinja's.
 TEMPLATES = frozenset(("in", "em", "template", "tmpl", "tpl", "j2", "jinja", "jinja2"))
 CODE = frozenset(("cpp", "python"))
-PIECE = re.compile(r"[\w.+-]{1,255}")
-STRING = re.compile(r"[\"']([^\"'\n]{1,1000})[\"']")
+PIECE = regex(r"[\w.+-]{1,255}")
+STRING = regex(r"[\"']([^\"'\n]{1,1000})[\"']")
 
 #: What may stand between the words of a directive, once lines are spliced.
 _GAP = r"(?:[ \t\f\v]|/\*(?:[^*\n]|\*(?!/)){0,1000}\*/)*"
 _HASH = rf"^{_GAP}(?:#|%:|\?\?=){_GAP}"
-_INCLUDE = re.compile(rf"{_HASH}(?:include|import|embed)[^\"<\n]{{0,1200}}[\"<]([^\">\n]{{1,5000}})", re.M)
-_DEFINE = re.compile(rf"{_HASH}define[^\"<\n]{{0,200}}[\"<]([^\">\n]{{1,1000}})[\">]", re.M)
+_INCLUDE = regex(rf"{_HASH}(?:include|import|embed)[^\"<\n]{{0,1200}}[\"<]([^\">\n]{{1,5000}})", re.M)
+_DEFINE = regex(rf"{_HASH}define[^\"<\n]{{0,200}}[\"<]([^\">\n]{{1,1000}})[\">]", re.M)
 #: An #include that a macro makes: then any name in the file may be what it makes.
-_COMPUTED = re.compile(rf"{_HASH}include(?:_next)?{_GAP}[A-Za-z_]\w*", re.M)
-_SPLICE = re.compile(r"(?:\\|\?\?/)[ \t\f\v]*\r?\n")
-_COMMENT = re.compile(r"/\*[^*]*(?:\*(?!/)[^*]*)*\*/")
+_COMPUTED = regex(rf"{_HASH}include(?:_next)?{_GAP}[A-Za-z_]\w*", re.M)
+_SPLICE = regex(r"(?:\\|\?\?/)[ \t\f\v]*\r?\n")
+_COMMENT = regex(r"/\*[^*]*(?:\*(?!/)[^*]*)*\*/")
 
 #: What makes CMake compile, or include, a file whatever its name is.
-_AS_CODE = re.compile(
+_AS_CODE = regex(
     r"(?<![\w])LANGUAGE(?:\s|#[^\n]{0,200}(?:\n|\]\]))+[\"\[=]{0,9}(?:C|CXX|CUDA|OBJC|OBJCXX)\b"
     r"|(?<![\w-])(?:-x\s*(?:;\s*)?\"?c\b|-xc|--?include\b|--?imacros\b|--language|/FI|@[\w./${}-]{1,200})"
 )
-_FILLED = re.compile(
+_FILLED = regex(
     r"\b(?:configure_file|em_expand|em_expand_template|expand_template)\s*\(([^()]{1,2000})\)|GENERATE\s+OUTPUT\s+([^()]{1,2000})",
     re.I,
 )
-_PROGRAMS = re.compile(r"\bcatkin_install_python\s*\(([^()]{1,20000})\)|\bPROGRAMS\b([^()]{1,20000})", re.I)
-_COMMAND = re.compile(r"\b([A-Za-z_]\w{0,100})[ \t]*\(([^()]{1,20000})\)")
+_PROGRAMS = regex(r"\bcatkin_install_python\s*\(([^()]{1,20000})\)|\bPROGRAMS\b([^()]{1,20000})", re.I)
+_COMMAND = regex(r"\b([A-Za-z_]\w{0,100})[ \t]*\(([^()]{1,20000})\)")
 _IDLE = frozenset(
     "install message project ament_export_include_directories include_directories set_directory_properties".split()
 )
-_WORD = re.compile(r"[^\s\"';()]{1,1000}")
+_WORD = regex(r"[^\s\"';()]{1,1000}")
 #: The headers that a form of Qt names (doc.qt.io, "UI File Format"), entities of XML in their names, too.
-_OF_FORM = re.compile(
+_OF_FORM = regex(
     r"<(?:header|include)\b[^<>]{0,400}>\s*([^<>]{1,400}?)\s*<|<include\s[^<>]{0,400}location=\"([^\"<>]{1,400})\""
 )
 #: What has C++ compiled for Python.
-_EXTENSIONS = re.compile(r"\b(?:Extension|ext_modules|extra_compile_args|Pybind11Extension)\b")
+_EXTENSIONS = regex(r"\b(?:Extension|ext_modules|extra_compile_args|Pybind11Extension)\b")
 
 
 def included(text: str) -> Iterator[str]:

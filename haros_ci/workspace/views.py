@@ -10,10 +10,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 
 from haros_ci.model.package import Package, SourceFile
 from haros_ci.model.workspace import Problem, Workspace
+from haros_ci.records import dataclass, field
 
 
 @dataclass(frozen=True, slots=True)

@@ -5,7 +5,9 @@ from __future__ import annotations
 
 import re
 
-_LEXEME = re.compile(
+from haros_ci.regex import regex
+
+_LEXEME = regex(
     r"""
       /(?: /[^\\\n]*(?:\\.[^\\\n]*)* | \*.*?(?:\*/|\Z) )          # comments
     | R"([^()\\\s"]{0,16})\(.*?(?:\)\1"|\Z)                        # raw strings
@@ -14,8 +16,8 @@ _LEXEME = re.compile(
     """,
     re.VERBOSE | re.DOTALL,
 )
-_VISIBLE = re.compile(r"[^\n]")
-_CLASS_HEAD = re.compile(
+_VISIBLE = regex(r"[^\n]")
+_CLASS_HEAD = regex(
     r"""
     \b(?:class|struct|union)\s{1,20}
     ((?: [A-Z][A-Z0-9_]*(?:\([^()]{0,200}\))? | \w{1,80}_(?:EXPORT|PUBLIC|LOCAL|DECL|API) )\s{1,20})
@@ -23,25 +25,25 @@ _CLASS_HEAD = re.compile(
     """,
     re.VERBOSE,
 )
-_ATTRIBUTE = re.compile(
+_ATTRIBUTE = regex(
     r"(?P<attribute>\[\[[\w\s:,]{0,100}(?:\((?:[^()\[\]\"]|\"[^\"\\\n]{0,400}\"){0,200}\)\s{0,9})?\]\])|"
     + _LEXEME.pattern,
     re.VERBOSE | re.DOTALL,
 )
-_EXPORT = re.compile(
+_EXPORT = regex(
     r"^[ \t]*#[^\n]*"
     r"|\b[A-Z][A-Z0-9_]{0,80}_(?:API|EXPORT|PUBLIC|LOCAL|DECL|IMPORT|DEPRECATED)\b(?=\s{1,40}[A-Za-z_~:\[])",
     re.MULTILINE,
 )
 _EXPORTS = ("_PUBLIC", "_EXPORT", "_API", "_LOCAL", "_DECL", "_IMPORT", "_DEPRECATED")
-_QT = re.compile(
+_QT = regex(
     r"\b(?:(?<=public )|(?<=private )|(?<=protected ))(?:Q_SLOTS|slots)\b"
     r"|\b(?:Q_SIGNALS|signals)[ \t]*:(?!:)|\bQ_OBJECT\b|\bQ_GADGET\b|\b(?:Q_EMIT|emit)\b(?=[ \t]+[A-Za-z_])"
 )
 #: What the grammar does not know, each with what to blank as the groups: ``new T *[n]``, ``= typename A::B()``,
 #: ``a->template f(x)``, ``a->operator ()(x)``, ``SIGNAL(f(int))``, ``typeid(unsigned int)``,
 #: ``unsigned(x)``, ``T name FOO_UNUSED,``, and a macro alone on its line.
-_UNKNOWN = re.compile(
+_UNKNOWN = regex(
     r"""
       \bnew\s[\w: ]{1,200}(?P<stars>\*[*\s]{0,9})(?=\[)
     | (?:[=(]|\breturn)\s{0,200}(?P<typename>typename)(?=\s)
@@ -60,33 +62,31 @@ _UNKNOWN = re.compile(
     re.VERBOSE,
 )
 #: An include with blanks after it, where its comment was: with them the grammar takes a call in the next line for its path.
-_INCLUDE = re.compile(
-    r"""^([ \t]*\#[ \t]*include\b)([ \t]*(?:<[^<>\n]{1,400}>|"[^"\n]{1,400}"))([ \t]+)$""", re.MULTILINE
-)
+_INCLUDE = regex(r"""^([ \t]*\#[ \t]*include\b)([ \t]*(?:<[^<>\n]{1,400}>|"[^"\n]{1,400}"))([ \t]+)$""", re.MULTILINE)
 #: ``a->operator[](i)``, which is ``a[i]``.
-_ELEMENT = re.compile(r"(?<=[\w)\]])((?:->|\.)\s{0,9}operator\s{0,9}\[\s{0,9}\]\s{0,9}\()([^(){};]{0,400})\)")
+_ELEMENT = regex(r"(?<=[\w)\]])((?:->|\.)\s{0,9}operator\s{0,9}\[\s{0,9}\]\s{0,9}\()([^(){};]{0,400})\)")
 #: ``#if VERSION(<, 1, 2)``: an operator as an argument, and the names that stand for operators meanwhile.
-_COMPARED = re.compile(r"^([ \t]*#[ \t]*(?:el)?if\b[^\n(]{0,200}\()([<>]=?|[=!]=)(?=[ \t]*,)", re.MULTILINE)
+_COMPARED = regex(r"^([ \t]*#[ \t]*(?:el)?if\b[^\n(]{0,200}\()([<>]=?|[=!]=)(?=[ \t]*,)", re.MULTILINE)
 _COMPARISONS = {"<": "$", ">": "_", "<=": "$$", ">=": "$_", "==": "_$", "!=": "$0"}
 _OPERATORS = {name: symbol for symbol, name in _COMPARISONS.items()}
-_STAND_IN = re.compile(r"(?<=\()(?:[$_]{1,2}|\$0)(?=[ \t]*,)")
+_STAND_IN = regex(r"(?<=\()(?:[$_]{1,2}|\$0)(?=[ \t]*,)")
 #: A macro with arguments on lines of its own, without a semicolon before the next statement.
-_UNENDED = re.compile(
+_UNENDED = regex(
     r"([;{}]\s{0,2000}[A-Z][A-Z0-9]{0,40}_[A-Z0-9_]{1,80}\((?:[^(){};]|\([^(){};]{0,200}\)){0,400}\)[ \t]{0,2000}"
     r"(?:(?<=[ \t])|\n\s{0,2000}[ \t]))(?<=[ \t])(?=\s{0,2000}"
     r"(?!(?:void|virtual|static|explicit|template|class|struct|union|typedef|using|public|private|protected|friend|enum|"
     r"namespace|inline|constexpr|extern)\b)[A-Za-z_]\w{0,80}\b)"
 )
 #: ``const T & x(a.b);``, which is no function: a parameter has no dot.
-_REFERENCE = re.compile(
+_REFERENCE = regex(
     r"([\w>]\s{0,9}&\s{0,9}\w{1,80})\(((?=[^;={}]{0,200}?(?:\w\.\w|->))(?:[^(),;={}]|\([^();={}]{0,100}\)){1,200})\)(?=\s{0,9};)"
 )
-_DIGRAPH = re.compile(r"^([ \t]*)%:", re.M)
-_NAME = re.compile(r"\s(?=\s{0,40}(?!(?:and|or|u8|[RLuU])\b)[A-Za-z_]\w{0,80}\s{0,40}[\"),;])")
-_FOREACH = re.compile(r"\b(?:BOOST_FOREACH|BOOST_REVERSE_FOREACH|Q_FOREACH|foreach)(?=\s{0,9}\()")
+_DIGRAPH = regex(r"^([ \t]*)%:", re.M)
+_NAME = regex(r"\s(?=\s{0,40}(?!(?:and|or|u8|[RLuU])\b)[A-Za-z_]\w{0,80}\s{0,40}[\"),;])")
+_FOREACH = regex(r"\b(?:BOOST_FOREACH|BOOST_REVERSE_FOREACH|Q_FOREACH|foreach)(?=\s{0,9}\()")
 #: Macros without semicolons in a row.
 _IN_A_ROW = 4
-_BRACKETS = re.compile(r"[()\[\]{},;]")
+_BRACKETS = regex(r"[()\[\]{},;]")
 _FOREACH_WINDOW = 500
 
 

@@ -7,16 +7,17 @@ import re
 from typing import NamedTuple
 
 from haros_ci.extract.cpp import blanks
+from haros_ci.regex import regex
 
-_DIRECTIVE = re.compile(
+_DIRECTIVE = regex(
     r"^[ \t]*#[ \t]*(if|ifdef|ifndef|elif|elifdef|elifndef|else|endif)\b(?:[^\n\\]|\\.)*", re.MULTILINE | re.DOTALL
 )
-_BRACKETS = re.compile(r"[(){}]")
+_BRACKETS = regex(r"[(){}]")
 _MIDDLE = tuple(",(=+-*/&|<?[")
-_LIST = re.compile(r"[=,({\]]\s*\{\Z")
-_NEVER = re.compile(r"\s*#\s*if\s+(?:0|false)\s*")
-_ELSE = re.compile(r"\s*#\s*else\s*")
-_PARTS = re.compile(r"[\[\](){},;]")
+_LIST = regex(r"[=,({\]]\s*\{\Z")
+_NEVER = regex(r"\s*#\s*if\s+(?:0|false)\s*")
+_ELSE = regex(r"\s*#\s*else\s*")
+_PARTS = regex(r"[\[\](){},;]")
 _LONGEST = 2000
 
 

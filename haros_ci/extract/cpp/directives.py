@@ -6,13 +6,14 @@ from __future__ import annotations
 import re
 
 from haros_ci.extract.cpp import blanks
+from haros_ci.regex import regex
 from haros_ci.syntax import Directive
 
-_LINE = re.compile(
+_LINE = regex(
     r"^[ \t]*#[ \t]*(define|undef|include|ifdef|ifndef|if|elifdef|elifndef|elif|else|endif|pragma)\b((?:[^\n\\]|\\.)*)",
     re.MULTILINE | re.DOTALL,
 )
-_CONTINUED = re.compile(r"\\\r?\n")
+_CONTINUED = regex(r"\\\r?\n")
 #: A file with more of them has none that count, and a longer one is cut: no condition is understood that is cut.
 MOST, LONGEST = 2000, 1000
 

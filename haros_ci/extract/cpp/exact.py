@@ -9,13 +9,13 @@ from __future__ import annotations
 import json
 import math
 import os
-import re
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 from haros_ci.model.workspace import Problem
+from haros_ci.records import dataclass
+from haros_ci.regex import regex
 
 #: Path, line and column where a call begins, as in ``haros_ci.syntax``.
 Place = tuple[str, int, int]
@@ -24,8 +24,8 @@ Scalar = str | bool | int | float
 ANSWER_LIMIT = 64_000_000
 #: LLVM of the libclang that the project asks for: builtin headers of a newer clang do not suit it.
 LLVM = 18
-_VERSION = re.compile(r"\d+")
-_PLACE = re.compile(r"([1-9]\d{0,8}):([1-9]\d{0,8})")
+_VERSION = regex(r"\d+")
+_PLACE = regex(r"([1-9]\d{0,8}):([1-9]\d{0,8})")
 _KINDS = ("call", "construct", "new")
 
 

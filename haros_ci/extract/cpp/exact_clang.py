@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import ctypes
 import os
-import re
 from collections.abc import Sequence
 from itertools import pairwise
 from typing import Any
@@ -26,10 +25,11 @@ from clang.cindex import (
 from clang.cindex import TypeKind as K
 
 from haros_ci.extract.cpp.exact_values import DEEPEST, LIB, TYPE_NAMES, constant, qualified, spell, template_arguments
+from haros_ci.regex import regex
 
 _POINTERS = {K.POINTER, K.MEMBERPOINTER, K.NULLPTR}
 _LITERALS = {CursorKind.INTEGER_LITERAL}
-_INT = re.compile(r"\bint\b")
+_INT = regex(r"\bint\b")
 #: Calls reported for one place (macros make many), arguments of one, errors in a unit.
 CALLS, ARGUMENTS, ERRORS = 64, 64, 2000
 _KEEP_GOING = 0x200

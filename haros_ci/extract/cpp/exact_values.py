@@ -12,6 +12,8 @@ from clang.cindex import Cursor, CursorKind, SourceLocation, conf
 from clang.cindex import Type as ClangType
 from clang.cindex import TypeKind as K
 
+from haros_ci.regex import regex
+
 #: How deep types are read and constants followed.
 DEEPEST = 24
 TYPE_NAMES = {CursorKind.TYPE_REF, CursorKind.TEMPLATE_REF, CursorKind.NAMESPACE_REF}
@@ -27,9 +29,9 @@ _FLOATS = {K.FLOAT, K.DOUBLE}
 _SCALARS = INTEGERS | _FLOATS | {K.BOOL}
 _REFERENCES = {K.LVALUEREFERENCE, K.RVALUEREFERENCE}
 _NAMELESS = {K.INVALID, K.DEPENDENT, K.OVERLOAD, K.UNEXPOSED, K.AUTO, K.FUNCTIONPROTO, K.MEMBERPOINTER}
-_TOKEN = re.compile(r"::|\w+|\S")
+_TOKEN = regex(r"::|\w+|\S")
 _DEFAULTS = {"std::less", "std::hash", "std::equal_to", "std::char_traits", "std::default_delete"}
-_ESCAPE = re.compile(rb"\\(?:([0-7]{1,3})|x([0-9A-Fa-f]{2})|(.))", re.DOTALL)
+_ESCAPE = regex(rb"\\(?:([0-7]{1,3})|x([0-9A-Fa-f]{2})|(.))", re.DOTALL)
 _ESCAPED = {b"n": b"\n", b"t": b"\t", b"r": b"\r", b"a": b"\a", b"b": b"\b", b"f": b"\f", b"v": b"\v", b"e": b"\x1b"}
 
 

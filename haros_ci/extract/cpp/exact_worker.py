@@ -17,6 +17,8 @@ import sys
 from collections.abc import Iterator, Sequence
 from typing import Any, BinaryIO
 
+from haros_ci.regex import regex
+
 REQUEST_LIMIT = 16_000_000
 FILE_LIMIT = 4_000_000
 #: Bytes of address space; a large ROS file takes 0.5 GB.
@@ -26,10 +28,10 @@ SECONDS = 60
 #: What may be included and named by flags besides the root and the headers; the same as for linters.
 SYSTEM_PREFIXES = ("/usr", "/opt", "/lib", "/Library", "/Applications")
 DIRECTORY_FLAGS = ("-isystem", "-iquote", "-I")
-_PLAIN = re.compile(r"-D[A-Za-z_]\w*(?:\([\w, .]*\))?(?:=.*)?|-U[A-Za-z_]\w*|-std=(?:c|gnu)\+\+[0-9a-z]{2}")
-_ABSENT = re.compile(r"#\s*(?:ifndef\s+(\w+)|if\s*!\s*defined\b[\s(]*(\w+))")
-_DEFINE = re.compile(r"#\s*define\s")
-_ENDIF = re.compile(r"#\s*endif\b")
+_PLAIN = regex(r"-D[A-Za-z_]\w*(?:\([\w, .]*\))?(?:=.*)?|-U[A-Za-z_]\w*|-std=(?:c|gnu)\+\+[0-9a-z]{2}")
+_ABSENT = regex(r"#\s*(?:ifndef\s+(\w+)|if\s*!\s*defined\b[\s(]*(\w+))")
+_DEFINE = regex(r"#\s*define\s")
+_ENDIF = regex(r"#\s*endif\b")
 _OPTIONS = (
     "-x", "c++", "-nostdinc", "-nostdinc++", "-w", "-ferror-limit=0", "-fno-spell-checking", "-ftemplate-depth=512",
 )  # fmt: skip

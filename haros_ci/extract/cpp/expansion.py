@@ -12,6 +12,7 @@ from haros_ci import syntax
 from haros_ci.extract.cpp import expressions, statements, types
 from haros_ci.extract.cpp.grammar import field, kinds, parse
 from haros_ci.extract.cpp.unit import Unit
+from haros_ci.regex import regex
 
 _DEEPEST = 3
 _MOST = 500
@@ -31,7 +32,7 @@ _CALLED = kinds("abstract_function_declarator")
 _PARAMETERS = kinds("parameter_list")
 _PLAIN = kinds("identifier")
 _OPERATORS = frozenset(("new", "delete", "throw", "not", "sizeof", "co_await"))
-_TOKEN = re.compile(r'"(?:[^"\\]|\\.)*"|\'(?:[^\'\\]|\\.)*\'|##?\s*\w*|\w+', re.DOTALL)
+_TOKEN = regex(r'"(?:[^"\\]|\\.)*"|\'(?:[^\'\\]|\\.)*\'|##?\s*\w*|\w+', re.DOTALL)
 
 
 def _block(text: str) -> Node | None:

@@ -3,14 +3,13 @@
 
 from __future__ import annotations
 
-import re
-
 from tree_sitter import Node
 
 from haros_ci import syntax
 from haros_ci.extract.cpp import expressions, statements, types
 from haros_ci.extract.cpp.grammar import ERROR, errors, field, kinds
 from haros_ci.extract.cpp.unit import CppScope, Unit
+from haros_ci.regex import regex
 from haros_ci.syntax import Function
 
 _ERRORS = 20
@@ -36,7 +35,7 @@ _NAMES = kinds("type_identifier identifier")
 
 
 #: ``operator <<`` is ``operator<<``; ``operator bool`` stays.
-_OPERATOR = re.compile(r"\boperator\s+(?=\W)")
+_OPERATOR = regex(r"\boperator\s+(?=\W)")
 
 
 def template_names(unit: Unit, node: Node) -> tuple[str, ...]:

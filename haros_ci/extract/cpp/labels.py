@@ -7,6 +7,7 @@ import re
 from typing import TYPE_CHECKING
 
 from haros_ci import syntax
+from haros_ci.regex import regex
 
 if TYPE_CHECKING:
     from tree_sitter import Node
@@ -14,8 +15,8 @@ if TYPE_CHECKING:
     from haros_ci.extract.cpp.unit import Unit
 
 _FUNCTIONS = ("function_definition", "lambda_expression")
-_LABEL = re.compile(r"[A-Za-z_]\w*")
-_SET = re.compile(
+_LABEL = regex(r"[A-Za-z_]\w*")
+_SET = regex(
     r"(?<![\w.>:])([A-Za-z_]\w*)\s*(?:(?:[-+*/|&%^]|<<|>>)?=(?!=)|\+\+|--)|(?:\+\+|--)\s*([A-Za-z_]\w*)(?![\w.(:]|->)"
 )
 WHY = "a goto comes here from elsewhere in the function"

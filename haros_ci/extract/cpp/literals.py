@@ -5,13 +5,13 @@ from __future__ import annotations
 
 import re
 
+from haros_ci.regex import regex
+
 _SIMPLE = {"n": "\n", "t": "\t", "r": "\r", "0": "\0", "a": "\a", "b": "\b", "f": "\f", "v": "\v", "e": "\x1b"}
-_ESCAPE = re.compile(
-    r"\\(?:x([0-9A-Fa-f]{1,8})|u([0-9A-Fa-f]{4})|U([0-9A-Fa-f]{8})|([0-7]{1,3})|(\r?\n)|(.))", re.DOTALL
-)
-_INTEGER = re.compile(r"([-+]?)(0[xX][0-9a-fA-F]+|0[bB][01]+|[0-9]+)([uUlLzZ]*)")
-_FLOAT = re.compile(r"([-+]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][-+]?[0-9]+)?)[fFlL]?")
-_HEX_FLOAT = re.compile(r"([-+]?0[xX][0-9a-fA-F.]+[pP][-+]?[0-9]+)[fFlL]?")
+_ESCAPE = regex(r"\\(?:x([0-9A-Fa-f]{1,8})|u([0-9A-Fa-f]{4})|U([0-9A-Fa-f]{8})|([0-7]{1,3})|(\r?\n)|(.))", re.DOTALL)
+_INTEGER = regex(r"([-+]?)(0[xX][0-9a-fA-F]+|0[bB][01]+|[0-9]+)([uUlLzZ]*)")
+_FLOAT = regex(r"([-+]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][-+]?[0-9]+)?)[fFlL]?")
+_HEX_FLOAT = regex(r"([-+]?0[xX][0-9a-fA-F.]+[pP][-+]?[0-9]+)[fFlL]?")
 _LONGEST_NUMBER = 100
 
 

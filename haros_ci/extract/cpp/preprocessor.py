@@ -3,22 +3,21 @@
 
 from __future__ import annotations
 
-import re
-
 from tree_sitter import Node
 
 from haros_ci.extract.cpp.blanks import compared
 from haros_ci.extract.cpp.grammar import field, kinds
 from haros_ci.extract.cpp.unit import Unit
+from haros_ci.regex import regex
 
 CONDITIONAL = kinds("preproc_if preproc_ifdef")
 _ALTERNATIVES = kinds("preproc_else preproc_elif preproc_elifdef")
 _DEFINITION = kinds("preproc_def")
 _NAME = field("name")
 _CONDITION = field("condition")
-_NEVER = re.compile(r"#\s*(?:if|elif)\s+(?:0|false)")
+_NEVER = regex(r"#\s*(?:if|elif)\s+(?:0|false)")
 #: A condition that compares two numbers or macros.
-_COMPARED = re.compile(r"#\s*(?:el)?if\s+(\w+)\s*(==|!=)\s*(\w+)")
+_COMPARED = regex(r"#\s*(?:el)?if\s+(\w+)\s*(==|!=)\s*(\w+)")
 #: Macros in place of macros that are followed.
 _DEEPEST = 8
 _MOST_BRANCHES = 1000

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable
 
 from tree_sitter import Node
@@ -12,6 +11,7 @@ from haros_ci import syntax
 from haros_ci.extract.cpp import declarations, flags, functions, preprocessor, types
 from haros_ci.extract.cpp.grammar import ERROR, field, kinds, table
 from haros_ci.extract.cpp.unit import DEEPEST, TOO_DEEP, CppScope, Unit
+from haros_ci.regex import regex
 from haros_ci.syntax import Alias, Field
 
 _NAME = field("name")
@@ -33,8 +33,8 @@ _LOST = kinds(
     "{ function_declarator expression_statement compound_statement if_statement for_statement for_range_loop"
     " while_statement do_statement switch_statement return_statement try_statement"
 )
-_WORD = re.compile(r"\w+")
-_CONTINUATION = re.compile(r"\\\r?\n")
+_WORD = regex(r"\w+")
+_CONTINUATION = regex(r"\\\r?\n")
 
 Handler = Callable[[Unit, Node, CppScope, int], None]
 

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
 
 from tree_sitter import Node
 
@@ -13,6 +12,7 @@ from haros_ci.extract.cpp import expressions, preprocessor
 from haros_ci.extract.cpp.grammar import field as named
 from haros_ci.extract.cpp.grammar import kinds
 from haros_ci.extract.cpp.unit import DEEPEST, Unit
+from haros_ci.records import dataclass, field
 from haros_ci.syntax import Block
 
 _CASE = kinds("case_statement")

@@ -6,12 +6,12 @@ from __future__ import annotations
 import re
 from bisect import bisect_left, bisect_right
 from collections.abc import Sequence
-from dataclasses import dataclass, field
 
 from tree_sitter import Node
 
 from haros_ci import syntax
 from haros_ci.extract.cpp.branches import Split
+from haros_ci.records import dataclass, field
 from haros_ci.syntax import Alias, Class, Field, Function, Type
 
 #: Statements and expressions nested deeper than this are unknown: what reads them may recurse.

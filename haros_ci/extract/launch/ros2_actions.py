@@ -7,7 +7,6 @@ The rule is the ``parse`` method of each action that launch and launch_ros expos
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
 from typing import Any
 
 from haros_ci.extract.launch import ros2_gz
@@ -16,6 +15,7 @@ from haros_ci.extract.launch.ros2_parameters import parameter_sources
 from haros_ci.model.launch_actions import Action, Phrase, Test
 from haros_ci.model.launch_phrases import read_phrase, unescaped
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass, field
 
 _PROCESS = (
     *("args", "ros_args", "cwd", "name", "exec_name", "launch-prefix", "output", "output_format", "respawn"),

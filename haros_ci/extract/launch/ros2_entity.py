@@ -4,12 +4,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 from difflib import get_close_matches
 from typing import Any
 
 from haros_ci.bounded_yaml import MAX_NUMBER, TAG, YamlFault, YamlLimits, nodes, scalar_value
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass
 
 LIMITS = YamlLimits(values=100_000)
 

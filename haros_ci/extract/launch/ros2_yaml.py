@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
 from typing import Any
 
 from haros_ci.bounded_yaml import YamlFault
@@ -11,6 +10,7 @@ from haros_ci.extract.launch.ros2_actions import Builder
 from haros_ci.extract.launch.ros2_entity import Entity, compose, scalar
 from haros_ci.model.launch_actions import Description
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass, field
 
 #: How deep elements may be nested, and how many there may be once aliases are followed.
 MAX_DEPTH = 40

@@ -4,10 +4,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
 from typing import Any
 
 from haros_ci.model.launch import LaunchElement, LaunchFile
+from haros_ci.records import dataclass, field
 
 MAX_DEPTH = 100
 MAX_ELEMENTS = 100_000

@@ -5,11 +5,13 @@ from __future__ import annotations
 
 import re
 
+from haros_ci.regex import regex
+
 #: In the first two lines, as CPython's tokenizer looks for it; the second counts if the first has no code.
-_COOKIE = re.compile(r"^[ \t\f]*#.*?coding[:=][ \t]*([-\w.]{1,100})")
-_NO_CODE = re.compile(r"^[ \t\f]*(?:#|$)")
+_COOKIE = regex(r"^[ \t\f]*#.*?coding[:=][ \t]*([-\w.]{1,100})")
+_NO_CODE = regex(r"^[ \t\f]*(?:#|$)")
 #: Encodings in which each byte of ASCII is that character and a part of no other: the code is the same, whichever it is.
-_SAME = re.compile(
+_SAME = regex(
     r"utf[-_]?8(?:[-_].*)?|u8|(?:us[-_]?)?ascii|646|latin[-_]?\d{0,2}|l\d|iso[-_]?8859.*|(?:cp|windows[-_]?|ibm)?(?:125\d|437|85\d|86\d)|koi8.*|euc[-_]?.*"
     r"|ujis|(?:iso[-_]?(?:ir)?[-_]?)\d+|mac.*|cyrillic|greek|arabic|hebrew|tis[-_]?620",
     re.IGNORECASE,

@@ -14,14 +14,15 @@ from collections.abc import Iterator
 
 from haros_ci.extract.python.source import Edit
 from haros_ci.extract.python.tokens import OPENING, Token, logical_lines
+from haros_ci.regex import regex
 
 #: (start, end, replacement) in the whole text.
 _Change = tuple[int, int, str]
 
 _COMPOUND = frozenset(("if", "elif", "else", "for", "while", "try", "except", "finally", "with", "def", "class"))
-_PRINT_FUNCTION = re.compile(r"^from[ \t]+__future__[ \t]+import\b[^\n]*\bprint_function\b", re.MULTILINE)
-_OCTAL = re.compile(r"0([0-7]*[1-7][0-7]*)[lL]?")
-_LONG = re.compile(r"(\d+|0[xX][\da-fA-F]+|0[oO][0-7]+|0[bB][01]+)[lL]")
+_PRINT_FUNCTION = regex(r"^from[ \t]+__future__[ \t]+import\b[^\n]*\bprint_function\b", re.MULTILINE)
+_OCTAL = regex(r"0([0-7]*[1-7][0-7]*)[lL]?")
+_LONG = regex(r"(\d+|0[xX][\da-fA-F]+|0[oO][0-7]+|0[bB][01]+)[lL]")
 _OPERAND = frozenset("([{`-+~")
 #: Words after print that go on with an expression in which print is a name.
 _INFIX = frozenset(("in", "is", "and", "or", "if", "else", "for", "as"))

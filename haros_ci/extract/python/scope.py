@@ -4,12 +4,13 @@
 from __future__ import annotations
 
 import ast
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 
 import msgspec
 
 from haros_ci import syntax
 from haros_ci.extract.python.source import Source, unknown
+from haros_ci.records import dataclass, field
 from haros_ci.syntax import Alias, Class, Expression, Field, Function, Type
 
 #: Statements and expressions within each other; what lies deeper is unknown, and a problem says where.

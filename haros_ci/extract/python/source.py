@@ -4,18 +4,18 @@
 from __future__ import annotations
 
 import ast
-import re
 from bisect import bisect_left
 from collections.abc import Mapping
-from dataclasses import dataclass
 
 from haros_ci import syntax
+from haros_ci.records import dataclass
+from haros_ci.regex import regex
 
 #: A changed piece of a line: (column in the parsed line, column in the file's, characters put in, characters taken
 #: out); columns from 0.
 Edit = tuple[int, int, int, int]
 
-_SPACE = re.compile(r"(?:\\\n|\s)+")
+_SPACE = regex(r"(?:\\\n|\s)+")
 _LONGEST_UNKNOWN = 200
 
 

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import ast
-import re
 from collections.abc import Callable
 from typing import Any, TypeVar, cast
 
@@ -16,9 +15,10 @@ from haros_ci.extract.python.expressions import expression, operator_text
 from haros_ci.extract.python.imports import imported
 from haros_ci.extract.python.scope import DEEPEST, PythonScope, bind, conditionally, rebind, too_deep
 from haros_ci.extract.python.source import column, condition, place, unknown
+from haros_ci.regex import regex
 from haros_ci.syntax import Alias, Block, Expression, Statement
 
-_ELSE = re.compile(r"[ \t\f]*(else)\b")
+_ELSE = regex(r"[ \t\f]*(else)\b")
 _LEAVES = (syntax.Break, syntax.Continue, syntax.Return, syntax.Throw)
 _Kind = TypeVar("_Kind", bound=ast.stmt)
 _Lower = Callable[[ast.stmt, PythonScope, int], Block]

@@ -5,9 +5,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 
-_TOKEN = re.compile(
+from haros_ci.records import dataclass
+from haros_ci.regex import regex
+
+_TOKEN = regex(
     r"""(?P<space>[ \t\f]+|\\\n)|(?P<comment>\#[^\n]*)|(?P<newline>\n)
     |(?P<string>(?:[uUbBfF]?[rR]?|[rR][bBfF])(?:
         "\""[^"\\]*(?:(?:\\[\s\S]?|"(?!""))[^"\\]*)*(?:"\""|\Z)

@@ -14,6 +14,7 @@ from haros_ci.follow import members
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.walk import Walk
 from haros_ci.model.digits import whole_number
+from haros_ci.regex import regex
 from haros_ci.values.abstract import (
     NONE,
     Cell,
@@ -32,10 +33,10 @@ from haros_ci.values.abstract import (
 if TYPE_CHECKING:
     from haros_ci.follow.call_arguments import PassedArgument
 
-_SPECIFIER = re.compile(r"%(?:\((\w+)\))?([-#0 +]{0,3}\d{0,2}(?:\.\d{1,2})?)([diouxXeEfFgGcras%])")
-_SPECIFICATION = re.compile(r"(?:.?[<>=^])?[-+ ]?#?0?\d{0,2}(?:\.\d{1,2})?[bdeEfFgGosxX%]?")
-_FIELD = re.compile(r"(\w*)((?:\.\w+|\[\w+\])*)")
-_STEP = re.compile(r"\.\w+|\[\w+\]")
+_SPECIFIER = regex(r"%(?:\((\w+)\))?([-#0 +]{0,3}\d{0,2}(?:\.\d{1,2})?)([diouxXeEfFgGcras%])")
+_SPECIFICATION = regex(r"(?:.?[<>=^])?[-+ ]?#?0?\d{0,2}(?:\.\d{1,2})?[bdeEfFgGosxX%]?")
+_FIELD = regex(r"(\w*)((?:\.\w+|\[\w+\])*)")
+_STEP = regex(r"\.\w+|\[\w+\]")
 #: Functions of paths that compute with texts alone.
 PATHS = {
     f"{module}.{function.__name__}": function
@@ -69,7 +70,7 @@ def percent(walk: Walk, frame: Frame, text: str, right: Value) -> Value:
 #: Functions of C++ that format as ``str.format`` does (fmt.dev/latest/syntax).
 FMT = frozenset(("fmt::format", "std::format"))
 #: What says in C how long a number is.
-_LENGTH = re.compile(r"(%[-#0 +]{0,3}\d{0,2}(?:\.\d{1,2})?)(?:hh|ll|[hljztL])(?=[diouxXeEfFgG])")
+_LENGTH = regex(r"(%[-#0 +]{0,3}\d{0,2}(?:\.\d{1,2})?)(?:hh|ll|[hljztL])(?=[diouxXeEfFgG])")
 
 
 def fmt(walk: Walk, frame: Frame, args: tuple[PassedArgument, ...]) -> Value:

@@ -8,7 +8,6 @@ GazeboRos is a class of gazebo_plugins (gazebo_ros_utils.h): it reads parameters
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 from haros_ci import syntax
@@ -16,6 +15,7 @@ from haros_ci.follow.frames import Frame
 from haros_ci.follow.walk import Walk
 from haros_ci.graph.names import resolve
 from haros_ci.index.types import STRINGS
+from haros_ci.records import dataclass, field
 from haros_ci.values.abstract import FALSE, NONE, TRUE, Cell, Known, Object, Opaque, Text, Value
 
 if TYPE_CHECKING:

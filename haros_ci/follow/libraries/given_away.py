@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Iterator
 from itertools import islice
 from typing import TYPE_CHECKING
@@ -15,6 +14,7 @@ from haros_ci.follow.ros import ros2_nodes
 from haros_ci.follow.walk import Walk
 from haros_ci.index.index import Source
 from haros_ci.model.location import Location
+from haros_ci.regex import regex
 from haros_ci.values.abstract import Callable, ClassValue, Mapped, Object, Pointer, Sequence, Value
 
 if TYPE_CHECKING:
@@ -43,7 +43,7 @@ DEEP, MOST = 3, 300
 #: How the first part of a name begins whose library is known: packages of several namespaces or modules.
 _BEGINNINGS = ("rclcpp_", "rviz_", "rqt_")
 #: A class, namespace or module of Qt (doc.qt.io): QObject, QSGNode, Qt::, QtWidgets.
-_QT = re.compile(r"Qt(?:[A-Z]|$)|Q(?:[A-Z][a-z]|SG|GL)")
+_QT = regex(r"Qt(?:[A-Z]|$)|Q(?:[A-Z][a-z]|SG|GL)")
 
 
 def among(frame: Frame, args: Iterable[PassedArgument]) -> list[Value]:

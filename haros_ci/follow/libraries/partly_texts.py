@@ -11,6 +11,7 @@ import re
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
+from haros_ci.regex import regex
 from haros_ci.values.abstract import (
     TEXT_LIMIT,
     Cell,
@@ -31,7 +32,7 @@ if TYPE_CHECKING:
 #: Parts of a text: known and not known.
 Parts = tuple[str | Opaque, ...]
 #: Patterns that match one character, or a run of such: a set without nested ones or differences, an escape for a kind, a plain letter.
-_SET = re.compile(
+_SET = regex(
     r"(?:\[\^?(?:[\w/ .,:;@#%!?=*()^$+{}~<>'\"|&-]|\\[wdsWDS/.-]){1,100}\]|\\[wdsWDS/.-]|[A-Za-z0-9_/ ,:;@#%!=-])(\+?)"
 )
 _SETS_OF_SETS = ("--", "||", "&&", "~~")

@@ -6,9 +6,9 @@ A QString is a text as ``std::string`` is one. A method that is not known here m
 
 from __future__ import annotations
 
-import re
 from typing import TYPE_CHECKING
 
+from haros_ci.regex import regex
 from haros_ci.values.abstract import FALSE, Cell, Known, Opaque, Text, Value, concatenate
 
 if TYPE_CHECKING:
@@ -22,7 +22,7 @@ _SAME = frozenset(
 )
 #: Methods that give the text itself, of a QString or of the bytes that it is made into.
 _ITSELF = frozenset("toStdString toUtf8 toLatin1 toLocal8Bit constData".split())
-_PLACE = re.compile(r"%L?([1-9][0-9]?)")
+_PLACE = regex(r"%L?([1-9][0-9]?)")
 
 
 def function(name: str, args: tuple[PassedArgument, ...]) -> Value | None:

@@ -6,12 +6,11 @@ A type is known if it is one of the language, a text, a message, or a class of t
 
 from __future__ import annotations
 
-import re
-
 from haros_ci import syntax
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.walk import Walk
 from haros_ci.index.types import INTEGERS, REALS, STRINGS
+from haros_ci.regex import regex
 from haros_ci.syntax import Type
 from haros_ci.values.abstract import FALSE, TRUE, Value
 
@@ -25,7 +24,7 @@ _BARE = frozenset(
 _NUMBERS = INTEGERS | REALS | {"bool"}
 _PLAIN = frozenset(("int", "bool", "double", "float", "char"))
 #: Messages, services and actions, by the names of packages as they are given (REP 144), or by the namespaces of ROS 2.
-_MESSAGE = re.compile(r"(?:\w+::(?:msg|srv|action)|\w+_msgs|\w+_srvs)::\w+")
+_MESSAGE = regex(r"(?:\w+::(?:msg|srv|action)|\w+_msgs|\w+_srvs)::\w+")
 _KINDS = {
     "std::is_integral": INTEGERS | {"bool"},
     "std::is_floating_point": REALS,

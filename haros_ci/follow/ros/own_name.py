@@ -4,12 +4,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from haros_ci.graph.names import UNKNOWN, clean, pattern
 from haros_ci.model.architecture import Condition
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass
 from haros_ci.values.abstract import Choice, Known, Library, Opaque, Text, Value, join, written
 
 if TYPE_CHECKING:

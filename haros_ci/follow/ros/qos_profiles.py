@@ -3,10 +3,10 @@
 
 from __future__ import annotations
 
-import re
 from dataclasses import replace
 
 from haros_ci.model.architecture import Qos
+from haros_ci.regex import regex
 
 #: rmw/qos_profiles.h: rmw_qos_profile_default, and what a number stands for.
 DEFAULT = Qos(history="keep_last", depth=10, reliability="reliable", durability="volatile")
@@ -120,6 +120,6 @@ UNITS = {
     "nsec": 1e-9,
 }
 #: Names of times that are no limit.
-CONSTANTS = re.compile(
+CONSTANTS = regex(
     r"RMW_(DURATION_(INFINITE|UNSPECIFIED)|QOS_(DEADLINE|LIFESPAN|LIVELINESS_LEASE_DURATION)_DEFAULT)$|\bInfinite$"
 )

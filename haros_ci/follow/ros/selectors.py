@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from functools import cache
 from typing import TYPE_CHECKING
 
@@ -17,6 +16,7 @@ from haros_ci.follow.walk import Walk
 from haros_ci.index.ros_types import parameter_type
 from haros_ci.model.api import Entry, Row, Template
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass
 from haros_ci.syntax import Type
 from haros_ci.values import iterators
 from haros_ci.values.abstract import (

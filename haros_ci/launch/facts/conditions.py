@@ -3,20 +3,20 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Mapping
 
 from haros_ci.model.launch_actions import Phrase, Substitution, Test
 from haros_ci.model.launch_facts import Comparison
+from haros_ci.regex import regex
 from haros_ci.substitutions.names import MARK
 
 #: Substitutions that give what their arguments say.
 _PURE = frozenset(("eval", "equals", "not-equals", "not", "and", "or", "any", "all", "if"))
 #: Stands for a launch configuration inside an expression.
 _SLOT = "\ue003{}\ue003"
-_LEFT = re.compile(r"(['\"]?)\ue003(\d+)\ue003\1\s*(==|!=)\s*(['\"])([^'\"]*)\4")
-_RIGHT = re.compile(r"(['\"])([^'\"]*)\1\s*(==|!=)\s*(['\"]?)\ue003(\d+)\ue003\4")
-_LITERAL = re.compile(r"\w+\(\s*(?:predicate_expression\s*=\s*)?(['\"])[^'\"]*\1\s*(?:,\s*)?\)")
+_LEFT = regex(r"(['\"]?)\ue003(\d+)\ue003\1\s*(==|!=)\s*(['\"])([^'\"]*)\4")
+_RIGHT = regex(r"(['\"])([^'\"]*)\1\s*(==|!=)\s*(['\"]?)\ue003(\d+)\ue003\4")
+_LITERAL = regex(r"\w+\(\s*(?:predicate_expression\s*=\s*)?(['\"])[^'\"]*\1\s*(?:,\s*)?\)")
 #: How launch files spell truths.
 TRUTHS = frozenset(("true", "false", "1", "0"))
 

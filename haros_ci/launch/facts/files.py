@@ -6,7 +6,7 @@ from __future__ import annotations
 import posixpath
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 from itertools import islice
 
 from haros_ci.model.build import Build, Installed, WrittenFile
@@ -15,11 +15,13 @@ from haros_ci.model.program_words import before_return
 from haros_ci.model.similar_files import similar_files
 from haros_ci.model.submodules import absent, is_below
 from haros_ci.model.workspace import Workspace
+from haros_ci.records import dataclass, field
+from haros_ci.regex import regex
 from haros_ci.substitutions.files import Files, files_of
 
-_START = re.compile(r"\$\((find-pkg-share|find-pkg-prefix|find|workspace)(?: ([^\s()]+))?\)(.*)\Z", re.DOTALL)
+_START = regex(r"\$\((find-pkg-share|find-pkg-prefix|find|workspace)(?: ([^\s()]+))?\)(.*)\Z", re.DOTALL)
 #: What makes files while a package is built, or fetches them.
-_MAKES = re.compile(
+_MAKES = regex(
     r"configure_file|add_custom_command|add_custom_target|ExternalProject|FetchContent|download|\binstall\s*\(\s*(CODE|SCRIPT)\b"
     r"|\bfile\s*\(\s*(DOWNLOAD|GENERATE|WRITE|COPY|APPEND|CREATE_LINK|ARCHIVE_EXTRACT)|execute_process|xacro_add|urlretrieve",
     re.IGNORECASE,

@@ -6,18 +6,18 @@ from __future__ import annotations
 import posixpath
 import re
 from collections.abc import Collection, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 
 from haros_ci.launch.facts.files import Finder
 from haros_ci.model.build import Build
 from haros_ci.model.launch_facts import ProgramUse
 from haros_ci.model.program_words import is_called_otherwise, is_not_made, may_make_program
 from haros_ci.model.similar_files import similar_names
+from haros_ci.records import dataclass, field
+from haros_ci.regex import regex
 
 #: Commands of CMake that make programs under names of their own.
-_MAKERS = re.compile(
-    r"^[ \t]*(\w{0,80}?(?:add_executable|add_node|register_node|python_install|add_program)\w*)\s*\(", re.M
-)
+_MAKERS = regex(r"^[ \t]*(\w{0,80}?(?:add_executable|add_node|register_node|python_install|add_program)\w*)\s*\(", re.M)
 _KNOWN_MAKERS = frozenset(
     (
         "add_executable",

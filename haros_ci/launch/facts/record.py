@@ -3,10 +3,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
-
 from haros_ci.model.launch_facts import ArgumentDeclaration, LaunchFact, ParameterFileUse
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass, field
 
 MAX_FACTS = 50_000
 

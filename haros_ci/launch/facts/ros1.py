@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Mapping
 from difflib import get_close_matches
 from typing import TYPE_CHECKING, Any
@@ -34,6 +33,7 @@ from haros_ci.model.launch_facts import (
     ProgramUse,
 )
 from haros_ci.model.location import Location
+from haros_ci.regex import regex
 from haros_ci.substitutions.names import Text
 
 if TYPE_CHECKING:
@@ -56,10 +56,8 @@ _KINDS: Mapping[tuple[str, str], str] = {
     ("arg", "default"): "default",
     ("env", "value"): "value",
 }
-_ARG = re.compile(r"\$\(arg\s+([^\s)]+)\s*\)")
-_COMPARED = re.compile(
-    r"(?:\barg\(\s*['\"]([\w/]+)['\"]\s*\)|(?<![\w.'\"])([A-Za-z_]\w*))\s*(==|!=)\s*(['\"])([^'\"]*)\4"
-)
+_ARG = regex(r"\$\(arg\s+([^\s)]+)\s*\)")
+_COMPARED = regex(r"(?:\barg\(\s*['\"]([\w/]+)['\"]\s*\)|(?<![\w.'\"])([A-Za-z_]\w*))\s*(==|!=)\s*(['\"])([^'\"]*)\4")
 
 
 def note(

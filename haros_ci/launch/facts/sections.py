@@ -11,10 +11,11 @@ from haros_ci.launch.ros2.parameter_yaml import Map, Tree
 from haros_ci.launch.ros2.places import Places
 from haros_ci.model.launch_facts import NodePattern
 from haros_ci.model.location import Location
+from haros_ci.regex import regex
 from haros_ci.substitutions.names import MARK
 
 SECTION = "ros__parameters"
-_KEY = re.compile(r"^[ \t]*(['\"]?)([^'\"#\s:-][^:'\"\n]*?)\1[ \t]*:", re.MULTILINE)
+_KEY = regex(r"^[ \t]*(['\"]?)([^'\"#\s:-][^:'\"\n]*?)\1[ \t]*:", re.MULTILINE)
 
 
 def sections_of(places: Places, file: str, trees: tuple[Tree, ...], component: str | None) -> tuple[NodePattern, ...]:

@@ -4,17 +4,17 @@
 from __future__ import annotations
 
 import posixpath
-import re
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, field
 from typing import Any
 
 from haros_ci.launch.ros2.places import Places
 from haros_ci.model.launch_actions import SHARE, WORKSPACE, Action, Description, Phrase, Substitution
+from haros_ci.records import dataclass, field
+from haros_ci.regex import regex
 
-_VAR = re.compile(r"\$\(\s*var\s+(?:'([^']*)'|\"([^\"]*)\"|([^\s)'\"]+))")
-_QUOTED = re.compile(r"'([^'\"\\\n]*)'|\"([^'\"\\\n]*)\"")
-_DECLARED = re.compile(r"Declare\w*Launch\w*Arg\w*\s*\(\s*(?:name\s*=\s*)?\Z")
+_VAR = regex(r"\$\(\s*var\s+(?:'([^']*)'|\"([^\"]*)\"|([^\s)'\"]+))")
+_QUOTED = regex(r"'([^'\"\\\n]*)'|\"([^'\"\\\n]*)\"")
+_DECLARED = regex(r"Declare\w*Launch\w*Arg\w*\s*\(\s*(?:name\s*=\s*)?\Z")
 MAX_FILES = 500
 
 

@@ -6,18 +6,20 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+from haros_ci.regex import regex
+
 #: A directory as launch text has it, and the path behind it. ROS 1: ``$(find pkg)``, ``$(workspace)``.
-_MARKED = re.compile(
+_MARKED = regex(
     r"\$\((find-pkg-share|find-pkg-prefix|find|workspace)(?: ([^\s()?\ue000]+))?\)((?:/[^\s'\";,:=|&<>`$(){}\[\]*?!%\\\ue000]*)*)"
 )
-_PACKAGE = re.compile(r"\$\((?:find-pkg-share|find-pkg-prefix|find) ([^\s()?\ue000]+)\)")
-_END = re.compile(r"[\s'\",;:)\]}]|\Z")
-_SUFFIX = re.compile(r"[A-Za-z][A-Za-z0-9_]{0,11}")
+_PACKAGE = regex(r"\$\((?:find-pkg-share|find-pkg-prefix|find) ([^\s()?\ue000]+)\)")
+_END = regex(r"[\s'\",;:)\]}]|\Z")
+_SUFFIX = regex(r"[A-Za-z][A-Za-z0-9_]{0,11}")
 #: A command whose program is xacro, by its name or its place; and one that runs a program of a package.
-_XACRO = re.compile(r"\s*(?:/[\w./-]*/)?xacro(?=\s|$)")
-_RUN = re.compile(r"\s*(?:ros2\s+run|rosrun)\s+(\w+)(?=\s)", re.ASCII)
-_WORD = re.compile(r"(?<![^\s'\"=:,\[(])(?:file://)?(~|/)([^\s'\"$?\ue000,;:\])]*)(?=[\s'\",;:\])]|\Z)")
-_HOME = re.compile(r"~(/|\Z)|/(home|Users)/[^/]+/|/root/")
+_XACRO = regex(r"\s*(?:/[\w./-]*/)?xacro(?=\s|$)")
+_RUN = regex(r"\s*(?:ros2\s+run|rosrun)\s+(\w+)(?=\s)", re.ASCII)
+_WORD = regex(r"(?<![^\s'\"=:,\[(])(?:file://)?(~|/)([^\s'\"$?\ue000,;:\])]*)(?=[\s'\",;:\])]|\Z)")
+_HOME = regex(r"~(/|\Z)|/(home|Users)/[^/]+/|/root/")
 #: Where programs and devices of every machine lie.
 _SYSTEM = tuple(f"/{name}/" for name in "dev tmp opt usr etc proc sys var bin sbin lib run mnt media".split())
 

@@ -4,13 +4,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 
 from haros_ci.launch.python.forks import fork
 from haros_ci.launch.python.heap import either
 from haros_ci.launch.python.run import ScriptEvaluation
 from haros_ci.launch.python.values import ScriptScope, Value
 from haros_ci.model.launch_actions import Test
+from haros_ci.records import dataclass
 
 
 @dataclass(frozen=True, slots=True)

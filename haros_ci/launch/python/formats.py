@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import re
 import string
 from typing import Any
 
@@ -21,9 +20,10 @@ from haros_ci.launch.python.values import (
     why,
 )
 from haros_ci.model.location import Location
+from haros_ci.regex import regex
 
-SPEC = re.compile(r"[^0-9]?[<>=^]?[-+ ]?#?0?[0-9]{0,3}[,_]?(\.[0-9]{1,2})?[bcdeEfFgGnosxX%]?")
-PERCENT = re.compile(r"%(?:\((?P<key>[^()]*)\))?(?P<spec>[-+ #0]?[0-9]{0,3}(?:\.[0-9]{1,2})?)(?P<kind>[a-zA-Z%])")
+SPEC = regex(r"[^0-9]?[<>=^]?[-+ ]?#?0?[0-9]{0,3}[,_]?(\.[0-9]{1,2})?[bcdeEfFgGnosxX%]?")
+PERCENT = regex(r"%(?:\((?P<key>[^()]*)\))?(?P<spec>[-+ #0]?[0-9]{0,3}(?:\.[0-9]{1,2})?)(?P<kind>[a-zA-Z%])")
 
 
 def as_text(run: ScriptEvaluation, value: Value, place: Location, depth: int = 0) -> Value:

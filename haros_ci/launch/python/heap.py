@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
 from typing import Any
 
 from haros_ci.launch.python.values import (
@@ -18,6 +17,7 @@ from haros_ci.launch.python.values import (
     Value,
 )
 from haros_ci.model.launch_actions import Test
+from haros_ci.records import dataclass, field
 
 STEPS = 100_000
 SIZE = 4_000_000  # characters and items made, all together

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import re
 from typing import Any
 
 from haros_ci.launch.python.builtin_functions import Summary, nothing
@@ -18,6 +17,7 @@ from haros_ci.launch.python.sequences import items_of
 from haros_ci.launch.python.substitutions import pairs
 from haros_ci.launch.python.values import LaunchObject, LibraryCall, Unknown, Value, merged, mystery, phrase, why
 from haros_ci.model.launch_actions import Action, Phrase
+from haros_ci.regex import regex
 
 
 def launch_description(run: ScriptEvaluation, call: LibraryCall) -> Value:
@@ -155,7 +155,7 @@ def include_arguments(run: ScriptEvaluation, value: Value, call: LibraryCall) ->
 
 
 #: What is more than one command, or more than its words.
-_SHELL = re.compile(r"[;&|<>`\n]|\$\((?!find-pkg|workspace)")
+_SHELL = regex(r"[;&|<>`\n]|\$\((?!find-pkg|workspace)")
 
 
 def process(run: ScriptEvaluation, call: LibraryCall) -> Value:

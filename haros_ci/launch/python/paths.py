@@ -9,11 +9,12 @@ from typing import Any
 
 from haros_ci.launch.python.values import PartialText, PathValue, Unknown, Value, merged, mystery, phrase, text_of, why
 from haros_ci.model.launch_actions import PREFIX, WORKSPACE
+from haros_ci.regex import regex
 
-MARKER = re.compile(r"\$\((find-pkg-share|find-pkg-prefix|workspace) ([^()$]*)\)")
+MARKER = regex(r"\$\((find-pkg-share|find-pkg-prefix|workspace) ([^()$]*)\)")
 
 
-PACKAGE = re.compile(r"[A-Za-z0-9_-][A-Za-z0-9_.-]*")
+PACKAGE = regex(r"[A-Za-z0-9_-][A-Za-z0-9_.-]*")
 
 
 def rooted(text: str) -> tuple[str, str, str]:

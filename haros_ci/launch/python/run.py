@@ -5,13 +5,13 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Callable
-from dataclasses import dataclass, field
 from typing import Any
 
 from haros_ci.launch.python.heap import LARGEST, Budget, Heap
 from haros_ci.launch.python.values import LibraryCall, Module, ScriptScope, ScriptSource, Unknown, Value
 from haros_ci.model.launch_actions import Test
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass, field
 
 
 @dataclass(slots=True)

@@ -5,11 +5,11 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Callable
-from dataclasses import dataclass, field
 from typing import Any
 
 from haros_ci.model.launch_actions import Action, LaunchContext, Phrase, Substitution, Test
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass, field
 
 #: A value: None, bool, int, float, str, bytes, list, tuple, dict, set or range, or one of the classes below.
 Value = Any

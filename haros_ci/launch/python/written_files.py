@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import json
 import re
-from dataclasses import dataclass, field
 from math import isfinite
 
 from haros_ci.launch.python.run import ScriptEvaluation
@@ -27,6 +26,7 @@ from haros_ci.launch.python.values import (
 )
 from haros_ci.model.launch_actions import Action, Phrase
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass, field
 
 DEEPEST = 40
 #: Files that one launch file may write.

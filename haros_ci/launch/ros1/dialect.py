@@ -3,12 +3,12 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from typing import NamedTuple
 
 from haros_ci.model.launch import LaunchElement, LaunchFile
 from haros_ci.model.location import Location
+from haros_ci.regex import regex
 
 _ROS1_TAGS = frozenset(("machine", "rosparam", "test", "master"))
 _ROS2_TAGS = frozenset(("let", "executable", "timer", "shutdown", "log", "log_info", "ros_timer", "reset", "reset_env"))
@@ -29,8 +29,8 @@ _ROS2_ATTRIBUTES = {
     "param": frozenset(("from", "allow_substs", "sep", "value-sep")),
     "arg": frozenset(("description",)),
 }
-_ROS1_SUBSTITUTION = re.compile(r"\$\((find|arg|optenv)\s")
-_ROS2_SUBSTITUTION = re.compile(r"\$\((var|find-pkg-share|find-pkg-prefix|exec-in-pkg|find-exec|command|not|and|or)\s")
+_ROS1_SUBSTITUTION = regex(r"\$\((find|arg|optenv)\s")
+_ROS2_SUBSTITUTION = regex(r"\$\((var|find-pkg-share|find-pkg-prefix|exec-in-pkg|find-exec|command|not|and|or)\s")
 
 
 def is_ros1(launch: LaunchFile, package_ros: int | None) -> bool:

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import shlex
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from haros_ci.launch.facts import ros1
 from haros_ci.launch.ros1.rosparam import key_shown, key_text, leaf_parameter
@@ -13,6 +13,7 @@ from haros_ci.launch.ros1.scope import LoaderScope, Private, location
 from haros_ci.launch.ros1.state import RoslaunchState, unset
 from haros_ci.model.architecture import Condition, Parameter
 from haros_ci.model.launch import LaunchElement
+from haros_ci.records import dataclass
 from haros_ci.substitutions.names import MARK, Text, is_private, join_in, literal, quoted
 from haros_ci.substitutions.types import TYPES, convert, type_of
 from haros_ci.substitutions.yaml import YamlError, YamlValue, read_yaml

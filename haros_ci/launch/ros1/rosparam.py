@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
 from typing import Any
 
 from haros_ci.launch.ros1.scope import LoaderScope, location
@@ -12,6 +11,7 @@ from haros_ci.launch.ros1.state import RoslaunchState, unset
 from haros_ci.model.architecture import Condition, Parameter
 from haros_ci.model.launch import LaunchElement
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass
 from haros_ci.substitutions.names import MARK, Text, join, join_in, literal, quoted, unknown
 from haros_ci.substitutions.types import type_of
 from haros_ci.substitutions.yaml import OpaqueNode, YamlError, YamlValue, parts, plain, read_yaml

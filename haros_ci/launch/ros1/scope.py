@@ -3,12 +3,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 
 from haros_ci.model.architecture import Condition, Parameter, RemapRule
 from haros_ci.model.launch import LaunchElement
 from haros_ci.model.location import Location
 from haros_ci.model.presence import Presence
+from haros_ci.records import dataclass, field
 from haros_ci.substitutions.names import Text
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 from functools import partial
 
 from haros_ci.launch.facts import ros1
@@ -16,6 +16,7 @@ from haros_ci.model.launch import LaunchElement, LaunchFile, Started
 from haros_ci.model.location import Location
 from haros_ci.model.presence import Presence, in_words, together
 from haros_ci.model.workspace import Problem
+from haros_ci.records import dataclass, field
 from haros_ci.substitutions.files import Files
 from haros_ci.substitutions.names import Text, canonical, derived, join_in, quoted
 from haros_ci.substitutions.presence import Assumed, LaunchArguments

@@ -3,14 +3,14 @@
 
 from __future__ import annotations
 
-import re
 import shlex
 
+from haros_ci.regex import regex
 from haros_ci.substitutions.names import Text
 
-_DIRECTORY = re.compile(r"\$\([\w-]+ [^\s()]+\)")
+_DIRECTORY = regex(r"\$\([\w-]+ [^\s()]+\)")
 #: What a shell takes for one word as it is.
-_PLAIN = re.compile(r"[^\s'\"\\;&|<>()#*$`]+")
+_PLAIN = regex(r"[^\s'\"\\;&|<>()#*$`]+")
 
 
 def word(text: Text) -> Text:

@@ -8,7 +8,7 @@ that a scope shares with the one around it where that has begun them.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 from functools import partial
 from typing import Any
 
@@ -20,6 +20,7 @@ from haros_ci.model.launch_actions import Action, Performed, Phrase, Test
 from haros_ci.model.location import Location
 from haros_ci.model.presence import Presence, in_words
 from haros_ci.model.workspace import Problem
+from haros_ci.records import dataclass, field
 from haros_ci.substitutions.names import MARK, Text, derived, literal, quoted, unknown
 from haros_ci.substitutions.presence import OTHER, Assumed, LaunchArguments, is_elsewhere
 

@@ -3,8 +3,9 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable
+
+from haros_ci.regex import regex
 
 #: Commands of one process that are looked at, and how deep they may lie in each other.
 MAX_COMMANDS = 20
@@ -14,7 +15,7 @@ _SHELLS = frozenset(("bash", "sh", "dash", "zsh", "ksh"))
 _BEFORE = frozenset(
     "env exec nice ionice nohup sudo stdbuf setsid time timeout command xterm taskset chrt then do else if while ! { (".split()
 )
-_SEPARATOR = re.compile(r"(?:&&|\|\||[;|&])\Z")
+_SEPARATOR = regex(r"(?:&&|\|\||[;|&])\Z")
 _BEGINS = frozenset(("ros2", "rosrun"))
 
 

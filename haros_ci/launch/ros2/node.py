@@ -18,11 +18,12 @@ from haros_ci.model.architecture import Condition, RemapRule, Unknown
 from haros_ci.model.launch import LaunchedNode, ParameterRule
 from haros_ci.model.launch_actions import Action, Substitution
 from haros_ci.model.location import Location
+from haros_ci.regex import regex
 from haros_ci.substitutions.names import MARK, Text, literal, unknown
 
 _KINDS = {"node": "node", "lifecycle-node": "lifecycle", "container": "container", "component": "component"}
 #: The executable of a package, as ExecutableInPackage gives it.
-_IN_PACKAGE = re.compile(r"\$\(find-pkg-prefix ([^\s()]+)\)/lib/\1/([^/]+)")
+_IN_PACKAGE = regex(r"\$\(find-pkg-prefix ([^\s()]+)\)/lib/\1/([^/]+)")
 #: Verbs of ``ros2 control`` that load a controller (ros2controlcli).
 LOADING = frozenset(("load_controller", "load_start_controller", "load_configure_controller"))
 #: Commands of ``ros2`` that have a node, with the package that brings each.
@@ -31,7 +32,7 @@ TOOLS = {
     **dict.fromkeys((("topic", command) for command in ("pub", "echo", "hz", "bw", "delay")), "ros2topic"),
 }
 #: What ends the words of a command in a shell.
-_SHELL = re.compile(r"[;&|<>]|[12]>|.*;\Z")
+_SHELL = regex(r"[;&|<>]|[12]>|.*;\Z")
 _Remaps = tuple[tuple[str, str, Location], ...]
 
 

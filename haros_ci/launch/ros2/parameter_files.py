@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import partial
 from typing import Any
 
@@ -29,6 +29,7 @@ from haros_ci.model.architecture import Unknown
 from haros_ci.model.launch import ParameterRule
 from haros_ci.model.launch_phrases import read_phrase
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass
 from haros_ci.substitutions.names import MARK, Text, literal, quoted
 
 SECTION = "ros__parameters"

@@ -9,11 +9,12 @@ from __future__ import annotations
 
 import math
 import re
-from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any, Union
 
 from haros_ci.bounded_yaml import MAX_NUMBER, MERGE, TAG, YamlFault, YamlLimits, nodes, scalar_value
+from haros_ci.records import dataclass
+from haros_ci.regex import regex
 from haros_ci.substitutions.names import MARK, Text
 
 MAX_DEPTH = 50
@@ -24,9 +25,9 @@ REMEMBERED = 1 << 14
 
 _TRUE = frozenset(("Y", "y", "yes", "Yes", "YES", "true", "True", "TRUE", "on", "On", "ON"))
 _FALSE = frozenset(("N", "n", "no", "No", "NO", "false", "False", "FALSE", "off", "Off", "OFF"))
-_INTEGER = re.compile(r"[+-]?(0[xX][0-9a-fA-F]+|0[0-7]*|[1-9][0-9]*)\Z")
-_FLOAT = re.compile(r"[+-]?([0-9]+(?:\.[0-9]*)?|\.[0-9]+)([eE][+-]?[0-9]+)?\Z")
-_NO_NUMBER = re.compile(r"[+-]?\.?(nan|inf|infinity)\Z", re.IGNORECASE)
+_INTEGER = regex(r"[+-]?(0[xX][0-9a-fA-F]+|0[0-7]*|[1-9][0-9]*)\Z")
+_FLOAT = regex(r"[+-]?([0-9]+(?:\.[0-9]*)?|\.[0-9]+)([eE][+-]?[0-9]+)?\Z")
+_NO_NUMBER = regex(r"[+-]?\.?(nan|inf|infinity)\Z", re.IGNORECASE)
 _INT64 = range(-(2**63), 2**63)
 
 

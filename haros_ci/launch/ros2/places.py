@@ -6,16 +6,17 @@ from __future__ import annotations
 import posixpath
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass, field
 from typing import Any
 
 from haros_ci.model.build import Build
 from haros_ci.model.location import Location
 from haros_ci.model.workspace import Workspace
+from haros_ci.records import dataclass, field
+from haros_ci.regex import regex
 from haros_ci.substitutions.files import Files, Place, files_of
 from haros_ci.substitutions.names import Text, quoted
 
-_START = re.compile(r"\$\((find-pkg-share|find-pkg-prefix|workspace) ([^\s()]+)\)(.*)\Z", re.DOTALL)
+_START = regex(r"\$\((find-pkg-share|find-pkg-prefix|workspace) ([^\s()]+)\)(.*)\Z", re.DOTALL)
 
 
 @dataclass(slots=True)

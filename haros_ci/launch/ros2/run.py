@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
 from functools import partial
 
 from haros_ci.launch.facts import ros2
@@ -22,6 +21,7 @@ from haros_ci.model.launch import LaunchedNode
 from haros_ci.model.launch_actions import Action, Description
 from haros_ci.model.location import Location
 from haros_ci.model.presence import Presence
+from haros_ci.records import dataclass, field
 from haros_ci.substitutions.names import Text, literal, quoted, unknown
 from haros_ci.substitutions.presence import Assumed
 

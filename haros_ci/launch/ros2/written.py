@@ -3,17 +3,16 @@
 
 from __future__ import annotations
 
-import re
-
 from haros_ci.launch.ros2.context import Context
 from haros_ci.launch.ros2.substitutions import perform
 from haros_ci.model.launch_actions import Action
+from haros_ci.regex import regex
 from haros_ci.substitutions.names import MARK, Text
 
 #: Paths and contents that are kept for one workspace.
 MOST = 20_000
 #: A part that is not known stands in a value: behind a key, a dash, or inside of braces.
-_IN_VALUE = re.compile(rf"[^{MARK}\n]{{1,2000}}?(?::[ \t]|-[ \t]|[{{\[])[^\n]*")
+_IN_VALUE = regex(rf"[^{MARK}\n]{{1,2000}}?(?::[ \t]|-[ \t]|[{{\[])[^\n]*")
 
 
 def note_written(context: Context, action: Action) -> None:

@@ -3,9 +3,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from haros_ci.linters.catalogue.table import Group, Rule, Table
+from haros_ci.records import dataclass
 
 
 @dataclass(frozen=True, slots=True)

@@ -4,9 +4,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 
 from haros_ci.linters.catalogue.reasons import BY_RULE
+from haros_ci.records import dataclass
 from haros_ci.results.rule import Level, Rule
 
 #: What a row's second column stands for. Each letter enables the profiles after it too, so that

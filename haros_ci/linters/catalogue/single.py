@@ -3,9 +3,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from haros_ci.linters.catalogue.group import Level, Rule, help_text, profiles, tags_of, words
+from haros_ci.records import dataclass
 
 
 @dataclass(frozen=True, slots=True)

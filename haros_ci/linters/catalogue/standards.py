@@ -18,6 +18,7 @@ from dataclasses import replace
 from functools import cache
 from typing import Final
 
+from haros_ci.regex import regex
 from haros_ci.results.rule import Rule
 
 STANDARDS = {
@@ -138,8 +139,8 @@ HICPP: Final = (
 )
 
 #: Ids that name a standard's rule themselves: clang-tidy's module, and Cppcheck's add-ons of the same names.
-_CERT = re.compile(r"(?:premium-)?cert-([a-z]{3}\d\d-(?:c|cpp))", re.IGNORECASE)
-_MISRA = re.compile(r"(?:premium-)?misra-(?:c|cpp|c\+\+)-?\d{4}-(\d+[.-]\d+(?:[.-]\d+)?)", re.IGNORECASE)
+_CERT = regex(r"(?:premium-)?cert-([a-z]{3}\d\d-(?:c|cpp))", re.IGNORECASE)
+_MISRA = regex(r"(?:premium-)?misra-(?:c|cpp|c\+\+)-?\d{4}-(\d+[.-]\d+(?:[.-]\d+)?)", re.IGNORECASE)
 
 
 @cache

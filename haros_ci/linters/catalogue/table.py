@@ -4,10 +4,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
 from types import MappingProxyType
 
 from haros_ci.linters.catalogue.group import Group, Level, Rule, help_text, level_of, profiles, tags_of
+from haros_ci.records import dataclass, field
 
 LEVELS: Mapping[str, Level] = MappingProxyType({"e": Level.ERROR, "w": Level.WARNING, "n": Level.NOTE})
 

@@ -6,20 +6,21 @@ rosbag and rostopic of ROS 1, ``ros2 bag`` and ``ros2 topic`` of ROS 2. What the
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 
 from haros_ci.graph.names import UNKNOWN
+from haros_ci.records import dataclass, field
+from haros_ci.regex import regex
 from haros_ci.systems.known.entry import KnownEndpoint, KnownNode
 from haros_ci.systems.known.text import Hole
 
 #: Topics of one recording, or of one command line.
 MOST = 1_000
 
-_TOPIC = re.compile(r"[~/]?[A-Za-z_][A-Za-z0-9_]*(?:/[A-Za-z_][A-Za-z0-9_]*)*")
-_TYPE = re.compile(r"[A-Za-z]\w*/(?:msg/)?[A-Za-z]\w*")
-_OPTION = re.compile(r"-(?:[A-Za-z-]|1\Z)")
+_TOPIC = regex(r"[~/]?[A-Za-z_][A-Za-z0-9_]*(?:/[A-Za-z_][A-Za-z0-9_]*)*")
+_TYPE = regex(r"[A-Za-z]\w*/(?:msg/)?[A-Za-z]\w*")
+_OPTION = regex(r"-(?:[A-Za-z-]|1\Z)")
 #: What a data file is asked for: its content as data, None if there is none.
 File = Callable[[str], object | None]
 

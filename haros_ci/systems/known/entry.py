@@ -3,9 +3,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
 
+from haros_ci.records import dataclass
 from haros_ci.systems.known.text import Repetition, Template, Test
 
 

@@ -11,6 +11,7 @@ from typing import Any
 from haros_ci.graph.names import UNKNOWN, clean, resolve
 from haros_ci.index.ros_types import SERIALISED
 from haros_ci.model.architecture import Endpoint, Unknown
+from haros_ci.regex import regex
 from haros_ci.systems.known.entry import KnownEndpoint, KnownNode
 from haros_ci.systems.known.parameter import declared
 from haros_ci.systems.known.quality import quality
@@ -18,7 +19,7 @@ from haros_ci.systems.known.shape import SUBFOLDERS
 from haros_ci.systems.known.start import Start, called, filled
 from haros_ci.systems.known.text import Repetition, Test, fields, literal
 
-_NAME = re.compile(r"~|[~/]?[A-Za-z0-9_?][A-Za-z0-9_?/]*")
+_NAME = regex(r"~|[~/]?[A-Za-z0-9_?][A-Za-z0-9_?/]*")
 _MOST = 1000
 _NUMBERED = 100
 

@@ -3,15 +3,15 @@
 
 from __future__ import annotations
 
-import re
 from dataclasses import replace
 
 from haros_ci.graph.names import UNKNOWN
 from haros_ci.model.architecture import Endpoint, Unknown
+from haros_ci.regex import regex
 from haros_ci.systems.known.entry import KnownEndpoint
 from haros_ci.systems.known.start import Start, filled
 
-_NAME = re.compile(r"[\w?][\w?./-]*")
+_NAME = regex(r"[\w?][\w?./-]*")
 
 
 def declared(known: KnownEndpoint, start: Start, unknowns: list[Unknown]) -> Endpoint | None:

@@ -5,12 +5,14 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from difflib import get_close_matches
 from typing import Any, TypeVar
 
 from haros_ci.model.architecture import KINDS
 from haros_ci.model.workspace import Problem
+from haros_ci.records import dataclass
+from haros_ci.regex import regex
 from haros_ci.systems.known import text
 from haros_ci.systems.known.entry import KnownEndpoint, KnownNode, Policies
 from haros_ci.systems.known.quality import policies
@@ -25,10 +27,10 @@ SCRIPT = "script"
 ROS2_KEYS = ("component", "lifecycle", "plugin", "node_name", "parameters")
 NODE_KEYS = ("source", SCRIPT, "nodelet", "distributions", "ros", *ROS2_KEYS[:-1], *KINDS)
 COMMON_KEYS = ("name", "type", "each", "if", "unless", "implicit", "distributions")
-_TYPE = re.compile(r"[A-Za-z]\w*/(?:(msg|srv|action)/)?[A-Za-z]\w*")
-_NAME = re.compile(r"[~/]?[A-Za-z0-9_?/]*")
-_DOTTED = re.compile(r"~?[A-Za-z0-9_?./-]*")
-_CLASS = re.compile(r"[A-Za-z_]\w*(?:::[A-Za-z_]\w*)*")
+_TYPE = regex(r"[A-Za-z]\w*/(?:(msg|srv|action)/)?[A-Za-z]\w*")
+_NAME = regex(r"[~/]?[A-Za-z0-9_?/]*")
+_DOTTED = regex(r"~?[A-Za-z0-9_?./-]*")
+_CLASS = regex(r"[A-Za-z_]\w*(?:::[A-Za-z_]\w*)*")
 #: The middle word of a ROS 2 type, by the kind of endpoint.
 SUBFOLDERS = {
     "publishers": "msg",

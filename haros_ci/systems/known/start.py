@@ -4,10 +4,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from haros_ci.graph.names import UNKNOWN, clean, resolve
 from haros_ci.model.architecture import Unknown
+from haros_ci.records import dataclass
 from haros_ci.systems.known.text import Hole, Template
 from haros_ci.values.abstract import Choice, Known, Mapped, Opaque, Sequence, Text, data_of, opaque_of
 

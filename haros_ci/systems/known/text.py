@@ -4,7 +4,9 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+
+from haros_ci.records import dataclass
+from haros_ci.regex import regex
 
 #: What a hole can ask for, with the form of what stands after the colon; see docs/known-nodes.md.
 HOLES = {
@@ -17,9 +19,9 @@ HOLES = {
     "unknown": r"[^{}|]+",
     "item": r"(?:[A-Za-z][A-Za-z0-9_]*)?",
 }
-_SUBJECT = re.compile(r"(?:(arg|option|item):)?([~/]?(?:[A-Za-z0-9_/.-]|\{item\})+)(?:\|([^|=]*?))?(?: == (.+))?")
-_LIST = re.compile(r"args:(\d{1,3})(?: as (.+))?|(file:)?([~/]?[A-Za-z][A-Za-z0-9_/.]*?)(#|\.\*)?")
-_FIELD = re.compile(r"\{([a-z_]+)\}")
+_SUBJECT = regex(r"(?:(arg|option|item):)?([~/]?(?:[A-Za-z0-9_/.-]|\{item\})+)(?:\|([^|=]*?))?(?: == (.+))?")
+_LIST = regex(r"args:(\d{1,3})(?: as (.+))?|(file:)?([~/]?[A-Za-z][A-Za-z0-9_/.]*?)(#|\.\*)?")
+_FIELD = regex(r"\{([a-z_]+)\}")
 _DEEPEST = 4
 _LONGEST = 1000
 

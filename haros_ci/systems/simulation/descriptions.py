@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
 
 from haros_ci.graph.names import clean, resolve
 from haros_ci.graph.ros2_process import Parameters, RosNode
@@ -12,6 +11,7 @@ from haros_ci.graph.words import CommandLineArguments
 from haros_ci.model.launch import LaunchedNode, LaunchedSystem
 from haros_ci.model.launch_facts import CommandUse
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass
 from haros_ci.substitutions.names import quoted
 from haros_ci.systems.ros2_system import started_by
 from haros_ci.systems.simulation.simulators import of_file_or_model, option

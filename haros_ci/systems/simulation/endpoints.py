@@ -3,15 +3,16 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 from haros_ci.graph.names import UNKNOWN, clean, resolve
 from haros_ci.graph.ros2_process import RemappingRule, RosNode, named, ros_arguments
 from haros_ci.model.architecture import Condition, Endpoint, Node, Unknown
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass
+from haros_ci.regex import regex
 from haros_ci.robot.nodes import XmlNode as Element
 from haros_ci.robot.unknown import UnknownValue as NotKnown
 from haros_ci.systems.known.entry import KnownNode
@@ -20,7 +21,7 @@ from haros_ci.systems.ros2_implicit import implicit
 from haros_ci.systems.simulation.table import KnownPlugin
 from haros_ci.systems.simulation.uses import PluginUse, value
 
-_FILLED = re.compile(r"\{(\w+)\}")
+_FILLED = regex(r"\{(\w+)\}")
 #: The element that names the controller manager that a plug-in makes.
 MANAGER_NAME = "controller_manager_name"
 _UNREAD = "its value in the description is not known"

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from haros_ci.graph.names import clean, resolve
 from haros_ci.graph.parameters import ParameterServer
@@ -12,6 +12,7 @@ from haros_ci.graph.words import CommandLineArguments, split
 from haros_ci.model.architecture import Node, Parameter
 from haros_ci.model.launch import Launched, Started
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass
 from haros_ci.systems.following import Types
 from haros_ci.systems.gazebo_plugins import PLUGIN, GazeboPlugin, started
 from haros_ci.systems.outside import as_data

@@ -8,13 +8,14 @@ and among these its type, below the manager's namespace and *name*.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 
 from haros_ci.graph.names import clean, resolve
 from haros_ci.graph.parameters import ParameterServer
 from haros_ci.graph.words import split
 from haros_ci.model.architecture import Endpoint, Node, Unknown
 from haros_ci.model.launch import Started
+from haros_ci.records import dataclass, field
 from haros_ci.robot.unknown import UNKNOWN, UnknownValue
 from haros_ci.robot.yaml_values import yaml_value
 from haros_ci.systems.known.entry import KnownNode

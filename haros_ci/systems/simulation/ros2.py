@@ -7,13 +7,13 @@ Gazebo Classic is a node itself, to which ``spawn_entity.py`` brings models; the
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
 
 from haros_ci.graph.ros2_process import RemappingRule
 from haros_ci.graph.words import CommandLineArguments, split
 from haros_ci.model.architecture import Node
 from haros_ci.model.launch import LaunchedNode, LaunchedSystem, ParameterRule
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass
 from haros_ci.systems.known.entry import KnownNode
 from haros_ci.systems.ros2_system import started_by
 from haros_ci.systems.simulation import gz, webots

@@ -4,12 +4,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 
 from haros_ci.graph.words import split
 from haros_ci.model.architecture import Endpoint, Node, Unknown
 from haros_ci.model.launch import LaunchedNode, Started
 from haros_ci.model.location import Location
+from haros_ci.records import dataclass, field
 from haros_ci.systems.gazebo_plugins import GazeboPlugin
 from haros_ci.systems.simulation.endpoints import Spawned, is_idle
 from haros_ci.systems.simulation.table import KnownPlugin, library_of, plugins, silent

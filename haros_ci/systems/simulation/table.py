@@ -3,9 +3,7 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
 from types import MappingProxyType
@@ -13,6 +11,8 @@ from typing import Any
 
 from haros_ci.model.architecture import KINDS
 from haros_ci.model.workspace import Problem
+from haros_ci.records import dataclass
+from haros_ci.regex import regex
 from haros_ci.systems.known.entry import KnownNode
 from haros_ci.systems.known.load import parse
 from haros_ci.systems.known.shape import read_package, shown
@@ -22,7 +22,7 @@ _HERE = Path(__file__).parent / "plugins"
 PLACES = ("world", "model", "sensor", "visual", "system")
 OWN_KEYS = ("source", "at", "namespace", "elements", "requires", "beside", "called")
 SPACE_KEYS = ("missing", "empty", "slash", "above", "below", "ignored")
-_ELEMENT = re.compile(r"[A-Za-z]\w{0,60}")
+_ELEMENT = regex(r"[A-Za-z]\w{0,60}")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -7,8 +7,9 @@ What counts is sdformat's reading of URDF (``<gazebo>``, with a reference to a l
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
+from haros_ci.records import dataclass
 from haros_ci.robot.nodes import XmlNode
 from haros_ci.robot.unknown import UnknownValue
 
