@@ -196,6 +196,12 @@ def truth(value: Value) -> bool | None:
     return None
 
 
+def flag(value: object) -> bool | None:
+    """What a value is for a flag; a pointer to an object of the workspace, as ``this``, is true."""
+    is_known = isinstance(value, Known) or (isinstance(value, Object) and value.definition is not None)
+    return truth(value) if is_known and isinstance(value, (Known, Object)) else None
+
+
 def _decides(value: Object) -> bool:
     """Whether an object has a say in whether it is true."""
     if value.definition is None:

@@ -140,8 +140,12 @@ def duplicate(walk: Walk, owner: tuple[Source, Class], argument: call_arguments.
     if argument.type is not None and ("*" in argument.type.marks or is_smart_pointer(argument.type)):
         return None
     for function, kind in _single(walk, owner):
-        if kind.name in function.templates or is_smart_pointer(kind) or "*" in kind.marks:
+        if kind.name in function.templates:
             return None
+        if is_smart_pointer(kind) or "*" in kind.marks:
+            if argument.cell is None or argument.cell.type is None:  # perhaps a pointer
+                return None
+            continue
         found = walk.class_of(pointee(kind).name, owner[0])
         if found is not None and bases.derives(walk, value.definition, found[1]) and function.body is not None:
             return None

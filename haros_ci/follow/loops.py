@@ -7,8 +7,9 @@ from collections.abc import Callable
 from functools import partial
 
 from haros_ci import syntax
-from haros_ci.follow import beside, copies, expressions, follow, statements, static_types, thrown, widening
+from haros_ci.follow import beside, copies, expressions, follow, lookup, statements, static_types, thrown, widening
 from haros_ci.follow.frames import BOUND, BREAK, NEXT, Frame, Loop
+from haros_ci.follow.libraries import gazebo
 from haros_ci.follow.made import forget_dead, go_back, keep
 from haros_ci.follow.walk import TURNS, Walk
 from haros_ci.model.location import Location
@@ -166,7 +167,14 @@ def _worthwhile(walk: Walk, frame: Frame, body: Block, test: Expression | None) 
         and walk.relevance.edits(body, frame.source)
     ):
         return True
-    return walk.turns == 1 and walk.relevance.collects(body, frame.source)
+    return walk.turns == 1 and (walk.relevance.collects(body, frame.source) or _goes_through(walk, frame, test))
+
+
+def _goes_through(walk: Walk, frame: Frame, test: Expression | None) -> bool:
+    """Whether a loop goes from one element of a description to the next: ``while (e)``, ``while (e != nullptr)``."""
+    items = test.operands if type(test) is syntax.Operation else (test,)
+    cells = (lookup.named_cell(walk, frame, item.name) for item in items if type(item) is syntax.Name)
+    return any(cell is not None and gazebo.is_one_of_several(cell.value) for cell in cells)
 
 
 def for_each(walk: Walk, frame: Frame, statement: syntax.Each) -> str:

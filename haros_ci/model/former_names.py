@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+import re
+
 from haros_ci.regex import regex
 
 #: A superseded copy: ``pick_old.py`` beside ``pick.py``, or beside ``pick_fast.py``.

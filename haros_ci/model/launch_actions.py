@@ -133,6 +133,7 @@ class Action:
     set-parameters-from-file (*parameters*, kind file)   set-use-sim-time (``value``)
     event               *children* are done when something happens (a process ends, a timer): they are conditional
     opaque              *function* is called with the context (OpaqueFunction) and returns more actions
+    written             the launch file writes the file ``path`` itself: its ``content``, or the *reason* why that is not known
     list                *children* one after the other, without scope (a LaunchDescription as an action)
     shutdown, log       of no consequence
     ?                   what it does is not known: *reason*

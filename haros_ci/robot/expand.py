@@ -6,7 +6,7 @@ What is not known goes both ways: both branches of an unknown condition are expa
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from typing import Any
 
@@ -15,7 +15,7 @@ from haros_ci.model.workspace import Problem
 from haros_ci.records import dataclass
 from haros_ci.robot.calling import Calling
 from haros_ci.robot.functions import TooMuch
-from haros_ci.robot.legacy import LEGACY, is_call
+from haros_ci.robot.legacy import LEGACY, fits, is_call
 from haros_ci.robot.nodes import XmlNode
 from haros_ci.robot.scopes import Macros, XacroMacro, XacroScope
 from haros_ci.robot.sources import DescriptionSources, as_written
@@ -45,12 +45,16 @@ def expand(
     legacy: bool = False,
     is_open: bool = False,
     environment: Mapping[str, str] | None = None,
+    is_before_noetic: Callable[[], bool | None] | None = None,
 ) -> Expanded:
     """Expand the file at *path* with *arguments*, where the *environment* has such variables.
 
     *legacy* takes tags without ``xacro:``, too, as xacro did before ROS Noetic. With *is_open* any argument may be given besides.
+    With *legacy*, *is_before_noetic* tells whether every tag that is called as a macro calls it, None if it may; without it, those do
+    that stand where links do.
     """
     made = Expansion(sources, path, dict(arguments or {}), legacy)
+    made.is_before_noetic = is_before_noetic
     made.takes_any = is_open
     made.environment = environment or {}
     return made.run()
@@ -64,6 +68,8 @@ class Expansion(Calling):
     ) -> None:
         super().__init__(sources, path, arguments)
         self.legacy = legacy
+        self.is_before_noetic: Callable[[], bool | None] | None = None
+        self.unprefixed: list[str] = []  # the macros around that were called without ``xacro:``
         self.depth = 0
         self.defined: dict[str, None] = {}
         self.files: dict[str, None] = {path: None}
@@ -124,15 +130,34 @@ class Expansion(Calling):
             macro = macros.get(tag)
             if macro is not None and is_call(node, macro, into):
                 self.fault("unprefixed", tag, node, of=macro.name)
-                if self.legacy:
+                if self.legacy and self.is_before_noetic is None:
                     self.call(node, tag, macros, scope, into)
                     return
-            self.element(node, node.tag, macros, scope, into)
+            if macro is None or not self.call_unprefixed(node, macro, macros, scope, into):
+                self.element(node, node.tag, macros, scope, into)
+
+    def call_unprefixed(
+        self, node: XmlNode, macro: XacroMacro, macros: Macros, scope: XacroScope, into: XmlNode
+    ) -> bool:
+        """Call *macro* as *node* did it before ROS Noetic, if it may; under an unknown condition where the distribution is not known."""
+        if not self.legacy or self.is_before_noetic is None or node.tag in self.unprefixed or not fits(node, macro):
+            return False
+        is_certain = self.is_before_noetic()
+        if is_certain is False:
+            return False
+        self.unprefixed.append(node.tag)
+        self.world.maybe += is_certain is None
+        self.is_whole = self.is_whole and is_certain is True
+        self.call(node, node.tag, macros, scope, into)
+        self.world.maybe -= is_certain is None
+        self.unprefixed.pop()
+        return True
 
     def element(self, node: XmlNode, tag: str, macros: Macros, scope: XacroScope, into: XmlNode) -> None:
         """Expand a tag that does not belong to xacro."""
-        certain = self.world.maybe == 0
-        made = XmlNode(tag, {}, node.location, certain=certain and node.certain, way=node.way or self.way)
+        maybe = self.world.maybe
+        certain = maybe == 0 and node.certain
+        made = XmlNode(tag, {}, node.location, certain=certain, way=node.way or self.way, doubts=maybe)
         self.content(node, macros, scope, made)
         into.children.append(made)
 

@@ -34,14 +34,18 @@ _OWN = frozenset(
 )
 
 
-def is_call(node: XmlNode, macro: XacroMacro, into: XmlNode) -> bool:
-    """Whether *node*, whose tag is the name of *macro*, is meant to call it: it stands where links do, and gives what it wants."""
-    if node.tag in _OWN or into.tag not in ("robot", "macro", "xacro:macro"):
-        return False
+def fits(node: XmlNode, macro: XacroMacro) -> bool:
+    """Whether *node*, whose tag is the name of *macro*, gives what it wants: xacro up to ROS Melodic took it for a call, wherever it stood."""
     parameters = {name for name in macro.parameters if not name.startswith("*")}
     attributes = set(node.attributes)
     return (
-        attributes <= parameters
+        node.tag not in _OWN
+        and attributes <= parameters
         and all(name in attributes or name in macro.defaults for name in parameters)
-        and bool(attributes or node.children)
     )
+
+
+def is_call(node: XmlNode, macro: XacroMacro, into: XmlNode) -> bool:
+    """Whether *node*, whose tag is the name of *macro*, is meant to call it: it stands where links do, and gives what it wants."""
+    is_there = into.tag in ("robot", "macro", "xacro:macro") and bool(node.attributes or node.children)
+    return is_there and fits(node, macro)

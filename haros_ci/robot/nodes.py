@@ -14,7 +14,10 @@ from haros_ci.robot.unknown import UnknownValue
 
 @dataclass(slots=True)
 class XmlNode:
-    """An element. Attributes and text of an expanded one may be UNKNOWN; it is not *certain* under an unknown condition."""
+    """An element. Attributes and text of an expanded one may be UNKNOWN; it is not *certain* under an unknown condition.
+
+    *doubts* is the number of such conditions around it.
+    """
 
     tag: str
     attributes: dict[str, str | UnknownValue]
@@ -23,6 +26,11 @@ class XmlNode:
     children: list[XmlNode] = field(default_factory=list)
     certain: bool = True
     way: Way = ()
+    doubts: int = 0
+
+    def has_surely(self, child: XmlNode) -> bool:
+        """Whether *child* is there wherever this element is."""
+        return child.certain or 0 < child.doubts == self.doubts
 
     def given(self, name: str) -> str | None:
         """A known attribute; "" if it is not there, None if it is not known."""

@@ -15,7 +15,7 @@ from haros_ci.follow import activation, callbacks, construct, methods
 from haros_ci.follow.call_arguments import PassedArgument
 from haros_ci.follow.follow import Entry
 from haros_ci.follow.frames import Frame
-from haros_ci.follow.libraries.gazebo import Sdf, element, parent
+from haros_ci.follow.libraries.gazebo import HANDLE_NAME, Sdf, called, element, parent
 from haros_ci.follow.ros.ends import by, endpoints
 from haros_ci.follow.walk import Walk
 from haros_ci.graph.parameters import ParameterServer
@@ -34,7 +34,7 @@ from haros_ci.systems.following import Instance, Types, incomplete, run_node
 from haros_ci.systems.ros2_processes import Started
 from haros_ci.systems.ros2_system import PLUGINS, size_of
 from haros_ci.systems.system import PROGRAM, Job
-from haros_ci.values.abstract import Object, Value
+from haros_ci.values.abstract import Cell, Object, Value
 
 #: The macros that register a plug-in, by where it stands in a world or description.
 _CLASSIC = {f"GZ_REGISTER_{item.upper()}_PLUGIN": item for item in ("world", "model", "sensor", "visual", "system")}
@@ -225,6 +225,8 @@ def _begin(source: Source, definition: Class, parameter: Given | None, is_new: b
     if outside is not None:
         message = f"the base class {outside} is not in the workspace: what it makes and calls is not known"
         walk.gaps.setdefault(message, location)
+    if parameter is not None:
+        this.fields[HANDLE_NAME] = Cell(called(parameter.sdf))
     construct.initialise(walk, frame, this, (source, definition), {}, (), location)
     for name in FIRST[is_new]:
         found = methods.method_of(walk, this, name)

@@ -312,3 +312,21 @@ def test_what_of_a_written_description_is_not_known() -> None:
         alone = written("", cmake)
         assert [of_code(node) for node in alone["p/launch/l.launch"].nodes if node.name == "/gazebo"] == [[]]
         assert "p/eye (plug-ins)" in alone
+
+
+@pytest.mark.parametrize(
+    ("inner", "expected"),
+    [
+        ("<topic>front</topic>", "/front"),
+        ('<xacro:if value="${1 > 0}"><topic>front</topic></xacro:if>', "/front"),
+        ('<xacro:if value="$(optenv SIDE)"><topic>front</topic></xacro:if>', "/?"),
+        ('<xacro:unless value="$(optenv SIDE)"><topic>front</topic></xacro:unless>', "/?"),
+        ("<topic>$(optenv SIDE)</topic>", "/?"),
+    ],
+)
+def test_what_stands_in_a_plugin_under_an_unknown_condition(inner: str, expected: str) -> None:
+    load = "ros::NodeHandle nh; nh." + PUB.format('_sdf->Get<std::string>("topic")')
+    node = simulator(plugin(load), f'<xacro:if value="$(optenv EYES)">{USE.format(inner)}</xacro:if>')
+    (end,) = (e for e in node.endpoints if e.location and e.location.path.endswith(".cpp"))
+    assert end.name == expected
+    assert "conditions" in [unknown.field for unknown in end.unknowns]

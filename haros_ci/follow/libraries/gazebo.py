@@ -16,7 +16,7 @@ from haros_ci.follow.walk import Walk
 from haros_ci.graph.names import resolve
 from haros_ci.index.types import STRINGS
 from haros_ci.records import dataclass, field
-from haros_ci.values.abstract import FALSE, TRUE, Cell, Known, Object, Opaque, Text, Value
+from haros_ci.values.abstract import FALSE, NONE, TRUE, Cell, Known, Object, Opaque, Text, Value
 
 if TYPE_CHECKING:
     from haros_ci.follow.call_arguments import PassedArgument
@@ -26,6 +26,11 @@ CLASSES = frozenset((ELEMENT, PARAM, PARENT, HELPER))
 #: The field that has the element; the text of a parameter, the name of a parent; the helper's node handle.
 SELF, HANDLE = OWN = ("(self)", "(handle)")
 SPACE = "robotNamespace"
+#: The field of a plug-in that has its name (extract/apis/gazebo.py).
+HANDLE_NAME = "handleName"
+#: The field that has the elements behind one.
+REST = "(rest)"
+DOUBTFUL = "it stands in the description under a condition that is not known"
 UNREAD = "its value in the description is not known"
 _NAMING = ("GetName", "Name")
 _NUMBERS: Mapping[str, type] = {"int": int, "unsigned int": int, "double": float, "float": float}
@@ -45,9 +50,30 @@ class Sdf:
         return next((child for child in self.children if child.tag == name), None)
 
 
-def element(sdf: Sdf) -> Object:
-    """The object that a plug-in is given for an element."""
-    return Object(ELEMENT, fields={SELF: Cell(Known(sdf))})
+def element(sdf: Sdf, rest: tuple[Sdf, ...] | None = None) -> Object:
+    """The object that a plug-in is given for an element; *rest* are those that follow in the same one, if that is known."""
+    fields: dict[str, Cell[Value]] = {SELF: Cell(Known(sdf))}
+    if rest is not None:
+        fields[REST] = Cell(Known(rest))
+    return Object(ELEMENT, fields=fields)
+
+
+def called(sdf: Sdf) -> Value:
+    """The name of the plug-in of which *sdf* is the element."""
+    return _known(sdf.attributes.get("name"))
+
+
+def is_one_of_several(value: Value) -> bool:
+    """Whether *value* is an element of which it is known what follows: a loop goes from one to the next."""
+    return isinstance(value, Object) and value.name == ELEMENT and REST in value.fields
+
+
+def _first(items: tuple[Sdf, ...], name: str | None) -> Value:
+    """The first of *items*, of that *name* if one is given; a null pointer if there is none."""
+    for number, item in enumerate(items):
+        if name is None or item.tag == name:
+            return element(item, items[number + 1 :]) if item.certain else Opaque(DOUBTFUL)
+    return NONE
 
 
 def parent(name: str | None) -> Object:
@@ -101,11 +127,35 @@ def method(
     if receiver.name == PARENT:
         return receiver.fields[SELF].value if name in _NAMING and not args else None
     if receiver.name == PARAM:
+        if name == "Get" and len(args) == 1 and not targs:
+            return _into(walk, args[0], receiver.fields[SELF].value)
         if name in ("GetAsString", "Get"):
             return _as(receiver.fields[SELF].value, targs if name == "Get" else ())
         return None
     sdf = _sdf_of(receiver)
+    if sdf is not None and name in ("GetFirstElement", "GetNextElement", "FindElement"):
+        return _another(receiver, sdf, name, args)
     return _of_element(sdf, name, args, targs) if sdf is not None else None
+
+
+def _into(walk: Walk, argument: PassedArgument, text: Value) -> Value | None:
+    """``Get(variable)``: the variable has the value then."""
+    if argument.cell is None:
+        return None
+    kind = argument.cell.type
+    value = _as(text, (kind.bare(),)) if kind is not None else Opaque("the type of the variable is not known")
+    walk.state.write(argument.cell, value)
+    return TRUE
+
+
+def _another(receiver: Object, sdf: Sdf, name: str, args: tuple[PassedArgument, ...]) -> Value | None:
+    """The first element, or the next one, perhaps of a name."""
+    rest = receiver.fields[REST].value if REST in receiver.fields else None
+    items = sdf.children if name != "GetNextElement" else rest.of(tuple) if isinstance(rest, Known) else None
+    key = args[0].value.value if args and isinstance(args[0].value, Known) else None
+    if items is None or (args and not isinstance(key, str)):
+        return None
+    return _first(items, key if isinstance(key, str) and key else None)
 
 
 def _of_element(
@@ -122,7 +172,7 @@ def _of_element(
     if name == "HasAttribute":
         return TRUE if key in sdf.attributes else FALSE
     if name == "GetElement" and child is not None:
-        return element(child)
+        return element(child, sdf.children[sdf.children.index(child) + 1 :])
     if name == "GetAttribute" and key in sdf.attributes:
         return Object(PARAM, fields={SELF: Cell(_known(sdf.attributes[key]))})
     return _value(sdf, child, key, args, targs) if name == "Get" else None
@@ -156,7 +206,7 @@ def _value(
 
 def _whether(child: Sdf | None) -> Value:
     if child is not None and not child.certain:
-        return Opaque("it stands in the description under a condition that is not known", None, syntax.Type("bool"))
+        return Opaque(DOUBTFUL, None, syntax.Type("bool"))
     return TRUE if child is not None else FALSE
 
 

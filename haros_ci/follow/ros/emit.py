@@ -7,7 +7,7 @@ from math import ceil, floor, fmod, isfinite
 from typing import TYPE_CHECKING
 
 from haros_ci import syntax
-from haros_ci.follow import thrown
+from haros_ci.follow import conversions, thrown
 from haros_ci.follow.libraries import python_modules
 from haros_ci.follow.made import MadeEntity, make
 from haros_ci.follow.ros import own_name, paces, ros2_emit
@@ -342,8 +342,9 @@ def _flag(applied: Applied, entry: Entry, unknowns: Unknowns) -> bool | None:
     found = value_of(applied, entry.values["latched"]) if "latched" in entry.values else None
     if found is None:
         return False
-    if isinstance(found, Known):
-        return bool(found.value)
+    known = conversions.flag(found)
+    if known is not None:
+        return known
     why = opaque_of(found)
     unknowns.append(("latched", why.reason if why else "it is no flag", (why and why.location) or applied.location))
     return None

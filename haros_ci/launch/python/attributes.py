@@ -37,6 +37,7 @@ from haros_ci.launch.python.values import (
     present,
     why,
 )
+from haros_ci.launch.python.written_files import WrittenFile, attribute_of
 from haros_ci.model.launch_actions import Test
 from haros_ci.model.location import Location
 
@@ -88,6 +89,8 @@ def attribute(run: ScriptEvaluation, value: Value, name: str, place: Location) -
         return configurations_attribute(run, value, name, place)
     if isinstance(value, Opened):
         return opened(run, value, name, place)
+    if isinstance(value, WrittenFile):
+        return attribute_of(run, value, name, place)
     if isinstance(value, LaunchObject):
         return made_attribute(run, value, name, place)
     if isinstance(value, ScriptFunction) and name == "__name__":

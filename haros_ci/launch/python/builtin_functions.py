@@ -232,9 +232,9 @@ def product(run: ScriptEvaluation, call: LibraryCall) -> Value:
 
 
 def dumped(run: ScriptEvaluation, call: LibraryCall) -> Value:
-    """``yaml.dump``/``json.dumps``: a text that is not made."""
+    """``json.dumps``."""
     value = call.args[0] if call.args else None
-    if call.name.startswith("json") and plain(value):
+    if plain(value):
         import json
 
         return run.made(json.dumps(value), call.location)
@@ -295,7 +295,6 @@ SUMMARIES: dict[str, Summary] = {
     "yaml.safe_load": yaml_load,
     "yaml.load": yaml_load,
     "yaml.full_load": yaml_load,
-    "yaml.dump": dumped,
     "ast.literal_eval": literal,
     "json.load": json_load,
     "json.loads": json_load,

@@ -11,8 +11,11 @@ from haros_ci.launch.python.heap import LARGEST
 from haros_ci.launch.python.paths import readable
 from haros_ci.launch.python.run import ScriptEvaluation
 from haros_ci.launch.python.values import LibraryCall, Opened, PartialText, PathValue, Unknown, Value, why
+from haros_ci.launch.python.written_files import opened_for_writing
 
 DEEPEST = 40
+#: The modes of a file that is read.
+READING = ("r", "rt", "rb")
 LIMITS = YamlLimits(characters=100_000_000, depth=DEEPEST, values=50_000)
 
 
@@ -92,11 +95,10 @@ def json_load(run: ScriptEvaluation, call: LibraryCall) -> Value:
 
 
 def open_file(run: ScriptEvaluation, call: LibraryCall) -> Value:
-    """``open``: for reading a file that can be read, or Unknown."""
+    """``open``: for reading a file that can be read, or for writing; or Unknown."""
     bound = call.bind("file mode")
-    if bound.get("mode", "r") not in ("r", "rt", "rb"):
-        return run.unknown("a file that is written", call.location)
     path = bound.get("file")
     if isinstance(path, (str, PartialText, PathValue)):
-        return Opened(path)
+        mode = bound.get("mode", "r")
+        return Opened(path) if mode in READING else opened_for_writing(run, path, mode, call.location)
     return run.unknown(f"the path is not known: {why(path)}", call.location)

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
+from haros_ci.launch.python import written_files
 from haros_ci.launch.python.attributes import attribute
 from haros_ci.launch.python.definitions import call_function
 from haros_ci.launch.python.entities import DESCRIPTION, actions_of, doubted, unknown_action
@@ -92,4 +93,4 @@ def top(run: ScriptEvaluation, entry: Value, place: Location) -> tuple[Action, .
         value = value[0]
     if isinstance(value, LaunchObject) and value.name == DESCRIPTION:
         value = value.fields["entities"]
-    return doubted(run, actions_of(run, value, place), place)
+    return doubted(run, (*written_files.actions(run), *actions_of(run, value, place)), place)

@@ -35,10 +35,13 @@ from haros_ci.launch.python.values import (
     describe,
 )
 from haros_ci.launch.python.webots_actions import SUMMARIES as WEBOTS
+from haros_ci.launch.python.written_files import SUMMARIES as WRITTEN
+from haros_ci.launch.python.written_files import WRITING, WrittenFile, lose
 from haros_ci.launch.python.xacro_documents import SUMMARIES as XACRO
 
 SUMMARIES: dict[str, Summary] = {
     **PYTHON,
+    **WRITTEN,
     **PATHS,
     **SUBSTITUTIONS,
     **LAUNCH,
@@ -89,6 +92,8 @@ def call_value(run: ScriptEvaluation, function: Value, call: LibraryCall) -> Val
 
 def call_library(run: ScriptEvaluation, function: Library, call: LibraryCall) -> Value:
     dotted = function.dotted
+    if run.written and dotted not in WRITING:
+        lose(run, call, f"what {dotted} writes is not followed")
     summary = summary_of(dotted)
     if summary is not None:
         named = LibraryCall(
@@ -130,6 +135,7 @@ def forget_reachable(run: ScriptEvaluation, call: LibraryCall, reason: str) -> N
         if isinstance(value, Context) and not is_asking:
             value.launch.set_any_configuration()
         target = value.fields.get("entities") if isinstance(value, LaunchObject) else value
+        target = target.parts if isinstance(target, WrittenFile) else target
         if isinstance(target, (list, dict, set)):
             run.heap.touch(target)
             if isinstance(target, list) and isinstance(value, LaunchObject):

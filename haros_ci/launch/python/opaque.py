@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from haros_ci.launch.python import written_files
 from haros_ci.launch.python.conditions import tests_of
 from haros_ci.launch.python.contexts import perform
 from haros_ci.launch.python.entities import actions_of, call_opaque, doubted, unknown_action
@@ -56,6 +57,7 @@ def later(run: ScriptEvaluation, call: LibraryCall, actions: Callable[[Context],
         try:
             known = set(run.doubts)
             made = actions(Context(context, len(run.heap.journals)))
+            made = (*written_files.actions(run), *made)
             return doubted(run, made, call.location) if set(run.doubts) != known else made
         except (ScriptBudgetExhausted, RecursionError) as error:
             reason = str(error) if isinstance(error, ScriptBudgetExhausted) else "it is nested too deep"

@@ -7,7 +7,7 @@ import posixpath
 from collections.abc import Callable
 from typing import Any
 
-from haros_ci.launch.python.files import file_text
+from haros_ci.launch.python.files import READING, file_text
 from haros_ci.launch.python.paths import absolute, base_name, clean, directory, joined_path, parent_path, readable
 from haros_ci.launch.python.run import ScriptEvaluation
 from haros_ci.launch.python.values import (
@@ -22,6 +22,7 @@ from haros_ci.launch.python.values import (
     uncertain,
     why,
 )
+from haros_ci.launch.python.written_files import opened_for_writing, written_text
 from haros_ci.model.launch_actions import PREFIX, SHARE, Phrase, Substitution
 from haros_ci.model.location import Location
 
@@ -174,7 +175,7 @@ def path_attribute(run: ScriptEvaluation, path: PathValue, name: str, place: Loc
 
 def open_path(run: ScriptEvaluation, path: PathValue, call: LibraryCall) -> Value:
     mode = call.bind("mode").get("mode", "r")
-    return Opened(path) if mode in ("r", "rt", "rb") else run.unknown("a file that is written", call.location)
+    return Opened(path) if mode in READING else opened_for_writing(run, path, mode, call.location)
 
 
 def read_text(run: ScriptEvaluation, path: PathValue, call: LibraryCall) -> Value:
@@ -214,6 +215,7 @@ METHODS: dict[str, Callable[[ScriptEvaluation, PathValue, LibraryCall], Any]] = 
     ),
     "open": open_path,
     "read_text": read_text,
+    "write_text": written_text,
     "with_suffix": with_suffix,
     "with_name": lambda run, path, call: PathValue(joined_path([parent_path(path), first(call, "name")])),
     "is_absolute": lambda run, path, call: is_absolute(path.text),

@@ -52,6 +52,9 @@ class ScriptEvaluation:
     texts: dict[str, str | None] = field(default_factory=dict)
     first: list[str] = field(default_factory=list)
     last: list[str] = field(default_factory=list)
+    #: The files that it writes, in order, and how many paths of temporary ones it has asked for.
+    written: list[Value] = field(default_factory=list)
+    temporaries: int = 0
     #: How many containers have been made; what loads into one names it by its number.
     containers: int = 0
     #: What launch_ros must accept for this file to be launched at all, by its text.

@@ -53,6 +53,9 @@ def file_rules(
 
     A file that is not known is one rule with the name ``?``. Each rule has the line of YAML as origin.
     """
+    own = context.places.written.get((path.raw, path.reasons))
+    if own is not None:
+        return _of_written(context, own, path, location, component)
     try:
         file, trees = _trees(context, path, substitutes, location, 0)
     except _Missing as err:
@@ -69,6 +72,22 @@ def file_rules(
         context.places.made[key] = (trees, (found, leaves))
     rules: tuple[ParameterRule, ...] = found
     return rules
+
+
+def _of_written(
+    context: Context, own: tuple[Text | str, Location], path: Text, location: Location, component: Component | None
+) -> tuple[ParameterRule, ...]:
+    """The parameters of a file that a launch file makes itself; they stand where it writes it."""
+    ros2.parameter_file(context, path, location, None, None)
+    content, place = own
+    if isinstance(content, str):
+        return (missing(f"a parameter file that the launch file writes: {content}", location),)
+    try:
+        trees = read_trees(content)
+    except YamlFault as err:
+        return (missing(f"a parameter file that the launch file writes: {err}", location),)
+    rules, _ = _rules(context, trees, place.path, location, component)
+    return tuple(replace(rule, origin=place) if rule.origin is not None else rule for rule in rules)
 
 
 def _rules(

@@ -9,6 +9,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from haros_ci.model.build import Build
+from haros_ci.model.location import Location
 from haros_ci.model.workspace import Workspace
 from haros_ci.records import dataclass, field
 from haros_ci.regex import regex
@@ -32,6 +33,10 @@ class Places:
     parsed: dict[tuple[str, Text], Any] = field(default_factory=dict, init=False, repr=False, compare=False)
     #: What has been made of parsed files, by what it is and their identity, after what it is made of, which keeps that identity its own.
     made: dict[tuple[object, ...], tuple[Any, Any]] = field(default_factory=dict, init=False, repr=False, compare=False)
+    #: What launch files write into files that they make, or the reason why that is not known, by the path and why a part of it is not known, with the place.
+    written: dict[tuple[str, tuple[str, ...]], tuple[Any, Location]] = field(
+        default_factory=dict, init=False, repr=False, compare=False
+    )
     #: What else is remembered of files, by what it is and their paths.
     remembered: dict[tuple[str, str], Any] = field(default_factory=dict, init=False, repr=False, compare=False)
 

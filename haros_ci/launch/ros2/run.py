@@ -14,6 +14,7 @@ from haros_ci.launch.ros2.including import include
 from haros_ci.launch.ros2.node import TOOLS, component, full_name, loading, node, processes
 from haros_ci.launch.ros2.settings import SETTERS, doubt, kept, name_of
 from haros_ci.launch.ros2.substitutions import truth_of
+from haros_ci.launch.ros2.written import note_written
 from haros_ci.model.architecture import Condition
 from haros_ci.model.faults import FAULTS, fault
 from haros_ci.model.launch import LaunchedNode
@@ -184,6 +185,9 @@ class LaunchEvaluation:
         if action.kind == "let":
             ros2.let(self.context, action)
 
+    def written(self, action: Action, conditions: _Conditions) -> None:
+        note_written(self.context, action)
+
     def nested(self, action: Action, conditions: _Conditions) -> None:
         self.actions(action.children, conditions)
 
@@ -324,4 +328,5 @@ _HANDLERS: Mapping[str, _Handler] = {
     "event": LaunchEvaluation.event,
     "opaque": LaunchEvaluation.opaque,
     "list": LaunchEvaluation.nested,
+    "written": LaunchEvaluation.written,
 }

@@ -20,7 +20,7 @@ UNCERTAIN = "it stands in the description under a condition that is not known"
 
 def given(use: PluginUse, spawned: Spawned) -> Given:
     """What a plug-in is given; a spawner adds its namespace (gazebo_ros_api_plugin.cpp, walkChildAddRobotNamespace)."""
-    sdf = _sdf(use.element, [MOST], 0)
+    sdf = _sdf(use.element, [MOST], 0, certain=True)
     if spawned.namespace and sdf.child(SPACE) is None:
         space = None if "?" in spawned.namespace else spawned.namespace
         sdf = replace(sdf, children=(*sdf.children, Sdf(SPACE, text=space)))
@@ -28,7 +28,7 @@ def given(use: PluginUse, spawned: Spawned) -> Given:
     return Given(sdf, None if name is None or "?" in name else name)
 
 
-def _sdf(element: Element, left: list[int], depth: int) -> Sdf:
+def _sdf(element: Element, left: list[int], depth: int, *, certain: bool) -> Sdf:
     """*element* as data, as far as it is not too large; *left* counts the elements that may still be read."""
     left[0] -= len(element.children)
     inside = element.children if left[0] >= 0 and depth < DEEPEST else []
@@ -36,8 +36,8 @@ def _sdf(element: Element, left: list[int], depth: int) -> Sdf:
         element.tag,
         {name: value if isinstance(value, str) else None for name, value in element.attributes.items()},
         element.text if isinstance(element.text, str) else None,
-        tuple(_sdf(child, left, depth + 1) for child in inside),
-        element.certain,
+        tuple(_sdf(child, left, depth + 1, certain=element.has_surely(child)) for child in inside),
+        certain,
     )
 
 

@@ -11,6 +11,7 @@ from haros_ci.launch.facts.files import Finder
 from haros_ci.model.build import Build
 from haros_ci.model.environment import key_of
 from haros_ci.model.location import Location
+from haros_ci.model.told_distribution import MAX_PAGE, is_page, names_noetic
 from haros_ci.model.workspace import Workspace
 from haros_ci.records import dataclass, field
 from haros_ci.robot.commands import xacro_command
@@ -22,6 +23,7 @@ from haros_ci.robot.unknown import UnknownValue
 from haros_ci.systems.simulation.stock import MODELS, WORLDS
 
 MODEL = "model://"
+PAGES = ("markdown", "shell", "dockerfile")
 _EMPTY = Location(".")
 
 
@@ -42,6 +44,7 @@ class DescriptionTrees:
     _finder: Finder | None = field(default=None, init=False)
     _sources: DescriptionSources | None = field(default=None, init=False)
     _read: dict[tuple[object, ...], DescriptionTree] = field(default_factory=dict, init=False)
+    _is_noetic: list[bool] = field(default_factory=list, init=False)
     _models: dict[str, list[str]] | None = field(default=None, init=False)
 
     @property
@@ -75,7 +78,14 @@ class DescriptionTrees:
         provided = tuple(sorted((name, str(value)) for name, value in arguments.items()))
         key = (path, provided, key_of(environment))
         if key not in self._read:
-            made = expand(self.sources, path, arguments, legacy=self._is_old(path), environment=environment)
+            made = expand(
+                self.sources,
+                path,
+                arguments,
+                legacy=self._is_old(path),
+                environment=environment,
+                is_before_noetic=self._is_before_noetic,
+            )
             why = "" if made.is_whole else f"a part of {path} includes, or depends on, what is not known"
             self._read[key] = DescriptionTree(made.root, why if made.root is not None else f"{path} could not be read")
         return self._read[key]
@@ -144,6 +154,13 @@ class DescriptionTrees:
         latest = max(named, key=lambda node: _version(node.given("version")), default=None)
         file = latest.text.strip() if latest is not None and isinstance(latest.text, str) else "model.sdf"
         return self.of_path(posixpath.normpath(f"{folder}/{file}"))
+
+    def _is_before_noetic(self) -> bool | None:
+        """Whether xacro takes macros without ``xacro:``, as nothing says that the workspace is for Noetic alone; None if something does."""
+        if not self._is_noetic:
+            pages = (file.path for file in self.workspace.files if file.language in PAGES and is_page(file.path))
+            self._is_noetic = [names_noetic(self.workspace.text(path)[:MAX_PAGE] for path in pages)]
+        return None if self._is_noetic[0] else True
 
     def _is_old(self, path: str) -> bool:
         around = (p for p in self.workspace.packages if p.path == "." or path.startswith(f"{p.path}/"))

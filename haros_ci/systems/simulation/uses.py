@@ -71,7 +71,7 @@ def value(element: XmlNode, name: str) -> str | UnknownValue | None:
     child = next(element.all(name), None)
     if child is None:
         return None
-    return child.text.strip() if isinstance(child.text, str) and child.certain else UnknownValue()
+    return child.text.strip() if isinstance(child.text, str) and element.has_surely(child) else UnknownValue()
 
 
 def _of_urdf(root: XmlNode, around: PluginUse) -> Iterator[PluginUse | ModelInclude]:
