@@ -16,7 +16,7 @@ __all__ = ["dataclass", "field"]
 _MISSING = dataclasses.MISSING
 
 
-def _made(cls: type, *, frozen: bool, slots: bool, eq: bool, order: bool, kw_only: bool) -> type:
+def _made(cls: type, *, frozen: bool, slots: bool, eq: bool, order: bool, kw_only: bool) -> Any:
     """*cls* with its fields and their methods; each method that it defines itself stays."""
     cls.__doc__ = cls.__doc__ or cls.__name__  # the text that dataclasses would make of the signature takes long
     own = set(vars(cls))
