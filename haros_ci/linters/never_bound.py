@@ -9,9 +9,9 @@ import re
 from collections.abc import Callable, Iterator, Sequence
 from typing import NamedTuple
 
+from haros_ci.linters.bindings import Scope
 from haros_ci.linters.constant_tests import constants_of, is_empty, leaves, truth
 from haros_ci.linters.pylint_idioms import nodes
-from haros_ci.records import dataclass, field
 from haros_ci.regex import regex
 
 #: What may bind any name of a module: then nothing is said of its names.
@@ -44,33 +44,16 @@ class NeverBound(NamedTuple):
     bound: int
 
 
-@dataclass(eq=False, slots=True)
-class _Scope:
-    """A module, class, function or comprehension; *name* is that of the function, "" for others."""
-
-    kind: str
-    parent: _Scope | None
-    name: str = ""
-    line: int = 0
-    #: Lines at which a name is bound, with "" or why that does not count.
-    bound: dict[str, list[tuple[int, str]]] = field(default_factory=dict)
-    deleted: dict[str, int] = field(default_factory=dict)
-    outer: dict[str, str] = field(default_factory=dict)
-
-    def bind(self, name: str, line: int, why: str) -> None:
-        self.bound.setdefault(name, []).append((line, why))
-
-
 class _Use(NamedTuple):
     name: str
     line: int
-    scope: _Scope
+    scope: Scope
 
 
 class _Place(NamedTuple):
     """What surrounds a node: whether it is never run, whether a ``NameError`` is awaited, and the names that handlers around it bind."""
 
-    scope: _Scope
+    scope: Scope
     is_dead: bool = False
     handled: frozenset[str] = frozenset()
 
@@ -100,21 +83,24 @@ class _Names:
         self.is_late = is_late
         self.is_called = is_called
         self.uses: list[_Use] = []
+        self.first_uses: dict[str, int] = {}
         self.mentioned = {node.id for node in every if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load)}
         self.mentioned |= {node.attr for node in every if isinstance(node, ast.Attribute)}
         self.mentioned |= {
             node.value for node in every if isinstance(node, ast.Constant) and isinstance(node.value, str)
         }
-        self.module = _Scope("module", None)
+        self.module = Scope("module", None)
         self._todo: list[tuple[ast.AST, _Place]] = []
         self._outermost: set[int] = set()
-        self._global: list[tuple[_Scope, str, int, str]] = []
+        self._global: list[tuple[Scope, str, int, str]] = []
 
     def read(self, tree: ast.Module) -> None:
         self._outermost |= _deletions(tree.body)
         self._block(tree.body, _Place(self.module))
         while self._todo:
             self._node(*self._todo.pop())
+        for use in self.uses:
+            self.first_uses[use.name] = min(use.line, self.first_uses.get(use.name, use.line))
         for scope, name, line, why in self._global:
             owner = self.module if scope.outer[name] == "global" else self._around(scope, name)
             if owner is not None:
@@ -125,35 +111,31 @@ class _Names:
         scope = self._owner(use)
         if scope is None or scope.kind not in ("module", "function"):
             return None
-        bindings = scope.bound[use.name]
         if scope is self.module and use.name in _OF_MODULES:
             return None
-        first = min(line for line, _ in bindings)
-        if all(why for _, why in bindings):
-            whys = {why for _, why in bindings}
+        first, last, whys = scope.summary(use.name)
+        if not last:
             why = next((one for one in (_UNCALLED, _HANDLED, _DEAD, _DECLARED) if one in whys), _DEAD)
             return None if whys == {_DECLARED} and scope is self.module else NeverBound(use.name, use.line, why, first)
         at = scope.deleted.get(use.name, 0)
-        if at and all(why or line <= at for line, why in bindings) and self._is_behind(use, scope, at):
+        if last <= at and self._is_behind(use, scope, at):
             return NeverBound(use.name, use.line, _DELETED, at)
         return None
 
-    def _is_behind(self, use: _Use, scope: _Scope, at: int) -> bool:
+    def _is_behind(self, use: _Use, scope: Scope, at: int) -> bool:
         """Whether the code of *use* runs after *at*, a line of *scope*: behind it, or in a function that nothing calls before."""
-        inner: _Scope | None = use.scope
+        inner: Scope | None = use.scope
         while inner is not None and inner.parent is not scope and inner is not scope:
             inner = inner.parent
         if inner is None or inner is scope or inner.kind != "function":
             return use.line > at
         if inner.line > at:
             return True
-        return inner.name not in scope.deleted and not any(
-            one.name == inner.name and one.line <= at for one in self.uses
-        )
+        return inner.name not in scope.deleted and self.first_uses.get(inner.name, at + 1) > at
 
-    def _owner(self, use: _Use) -> _Scope | None:
+    def _owner(self, use: _Use) -> Scope | None:
         """The scope whose name that is, by the rules of Python; None for a built-in or unknown one."""
-        scope: _Scope | None = use.scope
+        scope: Scope | None = use.scope
         is_first = True
         while scope is not None:
             if use.name in scope.outer:
@@ -164,16 +146,16 @@ class _Names:
             scope = scope.parent
         return None
 
-    def _around(self, scope: _Scope, name: str) -> _Scope | None:
+    def _around(self, scope: Scope, name: str) -> Scope | None:
         """The function around *scope* that binds *name*."""
         outer = scope.parent
         while outer is not None and not (outer.kind == "function" and name in outer.bound):
             outer = outer.parent
         return outer
 
-    def _uncalled(self, scope: _Scope, owner: _Scope) -> str:
+    def _uncalled(self, scope: Scope, owner: Scope) -> str:
         """Why what that function binds outside of it, in *owner*, does not count."""
-        function: _Scope | None = scope
+        function: Scope | None = scope
         while function is not None and function is not owner:
             is_method = function.parent is not None and function.parent.kind == "class"
             if function.name and not is_method and _CALLED_BY_NAME.match(function.name) is None:
@@ -211,7 +193,7 @@ class _Names:
         elif isinstance(node, (*_FUNCTIONS, ast.ClassDef)):
             self._inner(node, place)
         elif isinstance(node, _COMPREHENSIONS):
-            inner = _Scope("comprehension", scope)
+            inner = Scope("comprehension", scope)
             self._children(node, place._replace(scope=inner))
         elif isinstance(node, ast.NamedExpr):
             self._bind(node.target.id, node.lineno, place, ":=")
@@ -265,12 +247,12 @@ class _Names:
         if isinstance(node, ast.ClassDef):
             self._bind(node.name, node.lineno, place)
             self._todo += [(one, place) for one in (*node.bases, *node.keywords, *node.decorator_list)]
-            self._block(node.body, place._replace(scope=_Scope("class", place.scope, "", node.lineno)))
+            self._block(node.body, place._replace(scope=Scope("class", place.scope, "", node.lineno)))
             return
         if not isinstance(node, _FUNCTIONS):
             return
         name = "" if isinstance(node, ast.Lambda) else node.name
-        inner = _Scope("function", place.scope, name, node.lineno)
+        inner = Scope("function", place.scope, name, node.lineno)
         arguments = node.args
         every = [*arguments.posonlyargs, *arguments.args, *arguments.kwonlyargs]
         every += [one for one in (arguments.vararg, arguments.kwarg) if one is not None]
