@@ -25,14 +25,14 @@ def _made(cls: type, *, frozen: bool, slots: bool, eq: bool, order: bool, kw_onl
     fields = dataclasses.fields(made)
     methods: dict[str, Any] = {"__init__": _first_init(made, frozen), "__repr__": _repr}
     if eq:
-        compared = _values([f.name for f in fields if f.compare])
-        methods["__eq__"] = _compared(compared, "__eq__")
+        names = [f.name for f in fields if f.compare]
+        methods["__eq__"] = _equal(names)
         if not has_hash:
             own.discard("__hash__")
             hashed = [f.name for f in fields if (f.compare if f.hash is None else f.hash)]
-            methods["__hash__"] = _hash(_values(hashed)) if frozen else None
+            methods["__hash__"] = _hash(hashed) if frozen else None
         if order:
-            methods |= {name: _compared(compared, name) for name in ("__lt__", "__le__", "__gt__", "__ge__")}
+            methods |= {name: _compared(_values(names), name) for name in ("__lt__", "__le__", "__gt__", "__ge__")}
     if frozen:
         methods |= _frozen(made, frozenset(f.name for f in fields))
         if slots:
@@ -60,7 +60,29 @@ def _compared(values: Callable[[object], tuple[object, ...]], name: str) -> Call
     return method
 
 
-def _hash(values: Callable[[object], tuple[object, ...]]) -> Callable[[object], int]:
+def _equal(names: list[str]) -> Callable[[object, object], object]:
+    if len(names) == 1:
+        (get,) = map(attrgetter, names)
+
+        def __eq__(self: object, other: object) -> object:
+            if other.__class__ is not self.__class__:
+                return NotImplemented
+            one, two = get(self), get(other)
+            return one is two or one == two  # as tuples compare what they hold
+    else:
+        values = _values(names)
+
+        def __eq__(self: object, other: object) -> object:
+            return values(self) == values(other) if other.__class__ is self.__class__ else NotImplemented
+
+    return __eq__
+
+
+def _hash(names: list[str]) -> Callable[[object], int]:
+    if len(names) == 1:
+        (get,) = map(attrgetter, names)
+        return lambda self: hash((get(self),))
+    values = _values(names)
     return lambda self: hash(values(self))
 
 
