@@ -19,6 +19,8 @@ from haros_ci.records import dataclass
 #: Joints that robot_state_publisher leaves out, and those that it broadcasts as fixed (kdl_parser knows no planar ones).
 _LEFT_OUT = "floating"
 _FIXED = ("fixed", "planar")
+#: Packages whose node publishes a state for every joint that moves.
+_STATES = ("joint_state_publisher", "joint_state_publisher_gui")
 
 
 @dataclass(frozen=True, slots=True)
@@ -143,13 +145,16 @@ def _static(node: SystemNode) -> Iterator[Broadcast]:
 
 
 def _of_robot(project: Project, system: System, node: SystemNode) -> Iterator[Broadcast]:
-    """robot_state_publisher: every joint of the robot but the floating ones."""
+    """robot_state_publisher: every joint of the robot but the floating ones, and those that move where nobody is seen to send the states of all."""
     robot = robot_of(project, system, node)
     prefix = _prefix(system, node)
     static, dynamic = _topic(node, "/tf_static"), _topic(node, "/tf")
     if robot is None or prefix is None or static is None or dynamic is None:
         return
+    moves = _is_sent_all_states(system, node)
     for joint in robot.joints:
+        if not (joint.type in _FIXED or moves):
+            continue
         if joint.certain and joint.child and joint.parent and joint.type and joint.type != _LEFT_OUT:
             is_static = joint.type in _FIXED
             yield Broadcast(
@@ -163,6 +168,20 @@ def _of_robot(project: Project, system: System, node: SystemNode) -> Iterator[Br
                 f"joint {joint.name}",
                 of_origin(*joint.origin) if joint.type == "fixed" else None,
             )
+
+
+def _is_sent_all_states(system: System, node: SystemNode) -> bool:
+    """Whether joint_state_publisher publishes where robot_state_publisher *node* listens, which sends no joint of which it has heard no state.
+
+    Of other nodes, controllers and simulators nobody knows here which joints they publish.
+    """
+    heard = {end.name for end in node.of("subscribers") if end.original_name.rpartition("/")[2] == "joint_states"}
+    return any(
+        end.name in heard
+        for other in system.nodes
+        if other.package in _STATES and other.is_default
+        for end in other.of("publishers")
+    )
 
 
 def _prefix(system: System, node: SystemNode) -> str | None:

@@ -25,8 +25,12 @@ def is_left_over(path: str, project: Project) -> bool:
     """Whether the description at *path* has been left behind, and no launch file, code or page names it.
 
     Left behind is what xacro has written of a source beside it, or into a directory that is in no package; what is called as a former
-    version of a file beside it (``arm_old.urdf``); and what lies in a directory of archives.
+    version of a file beside it (``arm_old.urdf``); and what lies in a directory of archives, or in one that is called as a former version of
+    a directory beside it (``urdf_old``) and that nothing else names.
     """
+    folder = _former_folder(path, project)
+    if folder:
+        return not _is_folder_named(folder, project)
     if not (_is_generated(path, project) or _is_former(path, project)):
         return False
     return not _is_named(path, project)
@@ -48,6 +52,27 @@ def _is_former(path: str, project: Project) -> bool:
     former = superseded(_stem(name))
     return bool(former) and any(
         other.rpartition("/")[0] == folder and _stem(basename(other)) == former for other in project.workspace.names
+    )
+
+
+def _former_folder(path: str, project: Project) -> str:
+    """The directory around *path* whose name says that one beside it has taken its place, which is there; "" if there is none."""
+    parts = path.split("/")[:-1]
+    for count, part in enumerate(parts):
+        former = superseded(part)
+        beside = "/".join((*parts[:count], former, ""))
+        if former and any(name.startswith(beside) for name in project.workspace.names):
+            return "/".join(parts[: count + 1])
+    return ""
+
+
+def _is_folder_named(folder: str, project: Project) -> bool:
+    """Whether a file that loads others, outside of *folder*, has its name."""
+    named = re.compile(rf"(?<![\w.-]){re.escape(basename(folder))}(?![\w.-])")
+    return any(
+        named.search(project.text(file.path))
+        for file in project.workspace.files
+        if file.language in _LOADERS and not file.path.startswith(f"{folder}/")
     )
 
 

@@ -49,6 +49,12 @@ BROKEN = robot('<link name="a"/>', '<link name="b"/>', '<link name="b"/>')
         ("src/demo/urdf/arm_old.urdf", {"src/demo/urdf/arm.urdf": robot()}, Level.NOTE),
         ("src/demo/urdf/arm_backup.urdf", {"src/demo/urdf/arm.urdf.xacro": robot()}, Level.NOTE),
         ("src/demo/urdf/old/arm.urdf", {}, Level.NOTE),
+        ("src/demo/urdf_old/leg.urdf", {"src/demo/urdf/leg.urdf": robot()}, Level.NOTE),
+        (
+            "src/demo/urdf_old/leg.urdf",
+            {"src/demo/urdf/leg.urdf": robot(), "src/demo/launch/a.launch": LAUNCH.format("leg.urdf")},
+            Level.NOTE,
+        ),
         ("models/arm/meshes/arm.urdf", {"models/arm/model.sdf": "<sdf/>"}, Level.NOTE),  # generated, in no package
         # named, or nothing tells that it has been left behind
         ("src/demo/urdf/arm_old.urdf", {}, Level.ERROR),
@@ -65,6 +71,15 @@ BROKEN = robot('<link name="a"/>', '<link name="b"/>', '<link name="b"/>')
             {
                 "src/demo/urdf/arm.urdf": "",
                 "src/demo/launch/a.launch": '<launch><arg name="model" default="arm_old"/></launch>\n',
+            },
+            Level.ERROR,
+        ),
+        ("src/demo/urdf_old/leg.urdf", {}, Level.ERROR),
+        (
+            "src/demo/urdf_old/leg.urdf",
+            {
+                "src/demo/urdf/leg.urdf": robot(),
+                "src/demo/launch/a.launch": LAUNCH.format("leg.urdf").replace("/urdf/", "/urdf_old/"),
             },
             Level.ERROR,
         ),
