@@ -10,6 +10,7 @@ import os
 import signal
 import sys
 from collections.abc import Callable
+from contextlib import suppress
 from functools import partial
 from typing import Any
 
@@ -20,6 +21,12 @@ from tiers import is_slow
 
 settings.register_profile("steady", derandomize=True, database=None, deadline=None)
 settings.load_profile("steady")
+# Hypothesis draws words of the modules that are loaded, too: other ones in each process and after each change, so that an example of one
+# run is none of the next. To read them all takes each process five seconds.
+with suppress(ImportError):  # earlier ones do not
+    from hypothesis.internal.conjecture import providers
+
+    providers._get_local_constants = lambda: providers._local_constants
 # Collecting forty thousand tests took 26 seconds of the processor, of which 17 went into looking for garbage among them.
 gc.disable()
 
