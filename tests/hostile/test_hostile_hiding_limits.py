@@ -42,17 +42,17 @@ HEAD = "#!/usr/bin/env python3\nimport rospy\nfrom std_msgs.msg import String\n\
 NODE = f"{HEAD}rospy.Publisher('news', String, queue_size=1)\n"
 
 
-#: A quarter of the steps that a node has.
-FEWER = "from haros_ci.follow import walk\nwalk.STEPS = 20_000"
+#: A part of the steps that a node has.
+FEWER = "from haros_ci.follow import walk\nwalk.STEPS = 5_000"
 
 
 def many_calls() -> str:
-    """A script of some ten thousand calls."""
+    """A script of some thousand calls."""
     made = ["def f0(x):\n    rospy.Publisher('n%d' % x, String, queue_size=1)\n"]
-    for level in range(1, 6):
+    for level in range(1, 5):
         calls = "".join(f"    f{level - 1}(x * 8 + {number})\n" for number in range(8))
         made.append(f"def f{level}(x):\n{calls}")
-    return f"{HEAD}{''.join(made)}f5(0)\n"
+    return f"{HEAD}{''.join(made)}f4(0)\n"
 
 
 def nested_python(depth: int) -> str:

@@ -102,8 +102,8 @@ BOMBS = [
 
 @pytest.mark.parametrize("body", BOMBS, ids=range(len(BOMBS)))
 def test_bombs(body: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(heap, "STEPS", 25_000)  # of any number of steps all of them are taken
-    monkeypatch.setattr(heap, "SIZE", 1_000_000)
+    monkeypatch.setattr(heap, "STEPS", 10_000)  # of any number of steps all of them are taken
+    monkeypatch.setattr(heap, "SIZE", 400_000)
     inside = "".join(f"    {line}\n" for line in body.splitlines())
     for text in (
         f"{HEAD}\n{body}\ndef generate_launch_description():\n    return LaunchDescription([])\n",
