@@ -160,17 +160,27 @@ def load() -> None:
 def fill() -> None:
     """Tables that are made of the program alone, once in a process: neither the environment nor a workspace changes them."""
     from haros_ci import own_sources, regex, registry
-    from haros_ci.analysis import api_rows
-    from haros_ci.coverage import names
+    from haros_ci.analysis import api_rows, architecture_codec, comparison
+    from haros_ci.coverage import names, search
     from haros_ci.follow.ros import api_rows as calls
     from haros_ci.index import api_names
-    from haros_ci.linters import catalogue
+    from haros_ci.knowledge.knowledge import knowledge
+    from haros_ci.linters import catalogue, gate
+    from haros_ci.linters.catalogue import haros, spelling
+    from haros_ci.model.architecture import Architecture
     from haros_ci.systems import keeping, node_types
 
     for name in BY_OTHERS:
         importlib.import_module(name)
-    for packages in (own_sources.OF_FACTS, own_sources.OF_MEASURES, own_sources.OF_FOLLOWED):
-        own_sources.digest(packages)
+    for name, packages in vars(own_sources).items():
+        if name.startswith("OF_"):
+            own_sources.digest(packages)
+    for section in knowledge().facts.about["sections"]:
+        knowledge().facts.section(section)
+    for table in (comparison.call_rows, gate._names_of_python, haros._index, spelling._families):
+        table()
+    nothing = architecture_codec.encoded(Architecture())
+    architecture_codec.decoded(nothing or b"", ())  # msgspec looks at each class once
     own_sources.program_digest()
     registry.check_rules()
     for tool in catalogue.TOOLS:
@@ -185,6 +195,7 @@ def fill() -> None:
             names.names_of,
         ):
             make(rows)
+        search.may_have("", names.names_of(rows))
     for made in gc.get_objects():
         if type(made) is type(regex.regex("")):
             made.fullmatch("" if isinstance(made.pattern, str) else b"")

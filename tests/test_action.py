@@ -11,6 +11,7 @@ import shutil
 import subprocess
 import sys
 from dataclasses import dataclass
+from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
@@ -798,23 +799,52 @@ def test_an_old_log_is_not_passed_on(tmp_path: Path) -> None:
 # -- the real installation ----------------------------------------------------------------------------------------
 
 
+#: Python, but that an environment has a link to the pip that is here, where unpacking and compiling another takes five seconds.
+LINKING = """#!/bin/sh
+case "$*" in
+  *" -m venv "*)
+    for last; do :; done
+    '{python}' -I -m venv --clear --without-pip "$last" && ln -s '{pip}' "$last"/lib/python*/site-packages/;;
+  *) exec '{python}' "$@";;
+esac
+"""
+#: Python, but that nothing can be installed into the environments that it makes.
+EMPTY = """#!/bin/sh
+case "$*" in
+  *" -m venv "*) for last; do :; done; rm -rf "$last"; mkdir -p "$last/bin"; ln -s "$(command -v false)" "$last/bin/python";;
+  *) exec '{python}' "$@";;
+esac
+"""
+
+
+def as_python(path: Path, text: str) -> str:
+    path.write_text(text)
+    path.chmod(0o755)
+    return str(path)
+
+
 def test_the_install_step(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     installing.needs_package_index()
+    pip = find_spec("pip")
+    linking = LINKING.format(python=sys.executable, pip=Path(pip.origin).parent) if pip and pip.origin else None
+    python = as_python(tmp_path / "python", linking) if linking else sys.executable
     monkeypatch.setenv("PIP_COMPILE", "0")  # most of the modules are never imported
     action = installing.copy_of_the_checkout(tmp_path / "action")
     request = pull_request(tmp_path, {"arm/joints.py": ADDED})
     checkout(request, tmp_path / "workspace")
     for is_kept in ("true", "false"):  # the second use in a job finds the first one's environment
-        inputs = {"install": "true", "cache": is_kept}
+        inputs = {"install": "true", "cache": is_kept, "python": python}
         job = run_action(tmp_path / "workspace", inputs, base="main", action=action)
         assert (job.code, job.outputs["new-count"]) == (1, "1"), job.log
     assert (job.temp / "haros-ci-environment/bin/haros-ci").is_file()
     shutil.rmtree(job.temp)
     monkeypatch.setenv("PIP_NO_INDEX", "1")  # the next run restores it, and installs nothing
-    job = run_action(tmp_path / "workspace", {"install": "true"}, base="main", action=action)
+    restoring = {"install": "true", "python": python}
+    job = run_action(tmp_path / "workspace", restoring, base="main", action=action)
     assert (job.code, job.outputs["new-count"]) == (1, "1"), job.log
     (action / "haros_ci/__init__.py").write_text("# changed\n")
     run_action(tmp_path / "workspace", {"install": "false"}, base="main", action=action)
     assert len(entries(tmp_path, "environment")) == 1
-    job = run_action(tmp_path / "workspace", {"install": "true", "linters": "true"}, base="main", action=action)
+    as_python(tmp_path / "python", EMPTY.format(python=sys.executable))
+    job = run_action(tmp_path / "workspace", {**restoring, "linters": "true"}, base="main", action=action)
     assert job.code == 2 and "could not be installed" in job.log, "another environment is another key"

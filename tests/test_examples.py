@@ -4,16 +4,13 @@
 from __future__ import annotations
 
 import json
-import os
 import re
 import shutil
-import subprocess
-import sys
 from pathlib import Path
 from typing import Any
 
 import pytest
-from commandline import cache_home
+from commandline import haros
 
 EXAMPLES = Path(__file__).resolve().parent.parent / "examples"
 WORKSPACES = ("warehouse_ws", "legacy_ws")
@@ -47,10 +44,7 @@ def example(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFac
 
 
 def check(workspace: Path, *arguments: str) -> tuple[int, dict[str, Any]]:
-    command = [sys.executable, "-m", "haros_ci", "check", "--output", "json", "--ignore", OPTIONAL_TOOLS]
-    environment = {k: v for k, v in os.environ.items() if not k.startswith(("HAROS_CI_", "GITHUB_"))}
-    environment["XDG_CACHE_HOME"] = cache_home()
-    done = subprocess.run([*command, *arguments], cwd=workspace, env=environment, capture_output=True, text=True)
+    done = haros("check", "--output", "json", "--ignore", OPTIONAL_TOOLS, *arguments, cwd=workspace)
     assert done.stdout, done.stderr
     report: dict[str, Any] = json.loads(done.stdout)
     return done.returncode, report
@@ -86,8 +80,8 @@ def test_the_known_findings_can_be_recorded(example: tuple[str, Path], tmp_path:
     """Day one of a team with findings: one command, and only what is added from then on counts."""
     copy = tmp_path / example[0]
     shutil.copytree(example[1], copy)
-    create = [sys.executable, "-m", "haros_ci", "baseline", "create", "--no-cache", "--ignore", OPTIONAL_TOOLS]
-    subprocess.run(create, cwd=copy, check=True, capture_output=True)
+    created = haros("baseline", "create", "--ignore", OPTIONAL_TOOLS, cwd=copy)
+    assert created.returncode == 0, created.stderr
     code, report = check(copy)
     assert (code, report["counts"]["open"]) == (0, 0)
     assert report["counts"]["unchanged"] == len(documented(example[0])["reported"])

@@ -66,21 +66,19 @@ def test_every_difference_of_a_file_has_a_reason(mutation: Mutation) -> None:
     assert mutation.states not in (mutation.sarif, mutation.compact)
 
 
-class TestRenamedRule:
-    """26. None of our own tools has renamed a rule, so the new name comes with an imported log, as it does in life."""
-
-    @pytest.mark.parametrize(("known_as", "state"), [(["old-name"], "updated"), ([], "new")])
-    def test_imported_log(self, tmp_path: Path, known_as: list[str], state: str) -> None:
-        root = write(tmp_path / "ws", {"walker.cpp": WALKER})
-        line = WALKER.splitlines().index(LINE.rstrip("\n")) + 1
-        write(tmp_path, {"old.sarif": foreign("old-name", [], line), "new.sarif": foreign("new-name", known_as, line)})
-        off = ["--project", str(write(tmp_path, {"none.yaml": NO_TOOLS}) / "none.yaml"), "--no-cache"]
-        logs = ["--import", str(tmp_path / "new.sarif"), "--baseline", str(tmp_path / "old.sarif")]
-        done = haros("check", *off, *logs, "--output=json", "--fail-on=never", cwd=root)
-        assert done.returncode == 0, done.stderr
-        found = [(r["rule"], r["state"]) for r in json.loads(done.stdout)["results"]]
-        absent = [] if known_as else [("old-name", "absent")]
-        assert sorted(found) == sorted([("new-name", state), *absent])
+# 26. None of our own tools has renamed a rule, so the new name comes with an imported log, as it does in life.
+@pytest.mark.parametrize(("known_as", "state"), [(["old-name"], "updated"), ([], "new")])
+def test_a_renamed_rule_of_an_imported_log(tmp_path: Path, known_as: list[str], state: str) -> None:
+    root = write(tmp_path / "ws", {"walker.cpp": WALKER})
+    line = WALKER.splitlines().index(LINE.rstrip("\n")) + 1
+    write(tmp_path, {"old.sarif": foreign("old-name", [], line), "new.sarif": foreign("new-name", known_as, line)})
+    off = ["--project", str(write(tmp_path, {"none.yaml": NO_TOOLS}) / "none.yaml"), "--no-cache"]
+    logs = ["--import", str(tmp_path / "new.sarif"), "--baseline", str(tmp_path / "old.sarif")]
+    done = haros("check", *off, *logs, "--output=json", "--fail-on=never", cwd=root)
+    assert done.returncode == 0, done.stderr
+    found = [(r["rule"], r["state"]) for r in json.loads(done.stdout)["results"]]
+    absent = [] if known_as else [("old-name", "absent")]
+    assert sorted(found) == sorted([("new-name", state), *absent])
 
 
 NO_TOOLS = "linters: {cpplint: false, pylint: false, cppcheck: false, lizard: false, radon: false}\n"
@@ -113,34 +111,34 @@ def shallow(lab: Lab, tmp_path_factory: pytest.TempPathFactory) -> History:
     return History(root, made.options, made.cases, made.base, made.head)
 
 
-class TestOtherHistories:
-    """35. The same change on a newer upstream, which has a finding of its own."""
-
-    @pytest.mark.parametrize(
-        ("branch", "commands"),
-        [
-            ("unmerged", [["checkout", "-q", "-B", "unmerged", "HEAD"]]),
-            ("merged", [["checkout", "-q", "-B", "merged", "HEAD"], ["merge", "-q", "--no-edit", "upstream"]]),
-            ("rebased", [["checkout", "-q", "-B", "rebased", "HEAD"], ["rebase", "-q", "upstream"]]),
-            (
-                "squashed",
-                [
-                    ["checkout", "-q", "-B", "squashed", "upstream"],
-                    ["merge", "-q", "--squash", "HEAD"],
-                    ["commit", "-q", "-m", "squashed"],
-                ],
-            ),
-        ],
-    )
-    def test_same_states(self, lab: Lab, upstream: History, branch: str, commands: list[list[str]]) -> None:
-        for command in commands:
-            git(upstream.root, *(upstream.head if word == "HEAD" else word for word in command))
-        report = upstream.check(upstream.baseline("revision"))
-        theirs = {r["state"] for r in report["results"] if r["path"].startswith("elsewhere/")}
-        assert theirs == (set() if branch == "unmerged" else {"unchanged"})
-        ours = [r for r in report["results"] if not r["path"].startswith("elsewhere/")]
-        made = lab.history(("cpplint",))
-        assert ours == made.check(made.baseline("revision"))["results"]
+# 35. The same change on a newer upstream, which has a finding of its own.
+@pytest.mark.parametrize(
+    ("branch", "commands"),
+    [
+        ("unmerged", [["checkout", "-q", "-B", "unmerged", "HEAD"]]),
+        ("merged", [["checkout", "-q", "-B", "merged", "HEAD"], ["merge", "-q", "--no-edit", "upstream"]]),
+        ("rebased", [["checkout", "-q", "-B", "rebased", "HEAD"], ["rebase", "-q", "upstream"]]),
+        (
+            "squashed",
+            [
+                ["checkout", "-q", "-B", "squashed", "upstream"],
+                ["merge", "-q", "--squash", "HEAD"],
+                ["commit", "-q", "-m", "squashed"],
+            ],
+        ),
+    ],
+)
+def test_the_same_states_on_a_newer_upstream(
+    lab: Lab, upstream: History, branch: str, commands: list[list[str]]
+) -> None:
+    for command in commands:
+        git(upstream.root, *(upstream.head if word == "HEAD" else word for word in command))
+    report = upstream.check(upstream.baseline("revision"))
+    theirs = {r["state"] for r in report["results"] if r["path"].startswith("elsewhere/")}
+    assert theirs == (set() if branch == "unmerged" else {"unchanged"})
+    ours = [r for r in report["results"] if not r["path"].startswith("elsewhere/")]
+    made = lab.history(("cpplint",))
+    assert ours == made.check(made.baseline("revision"))["results"]
 
 
 def test_order_of_arguments_and_number_of_processes_leave_no_trace(lab: Lab) -> None:
@@ -181,30 +179,29 @@ def test_only_some_files(lab: Lab, kind: str, name: str, wanted: str) -> None:
     assert {r["path"].partition("/")[0] for r in report["results"]} == {case_of(name)}
 
 
-class TestNoBase:
-    """38."""
+# 38.
+@pytest.mark.parametrize("flag", ["--baseline-rev=nowhere", "--baseline-rev=HEAD~1", "--baseline-rev=@base"])
+def test_without_a_base_all_counts_and_it_is_said(shallow: History, flag: str) -> None:
+    asked = ("check", *shallow.options, flag.replace("@base", shallow.base), "--fail-on=note")
+    assert haros(*asked, cwd=shallow.root).returncode == 2
+    arguments = (*asked, "--no-require-baseline")
+    done = haros(*arguments, cwd=shallow.root)
+    assert done.returncode == 1
+    assert "No baseline: " in done.stdout
+    report = json.loads(haros(*arguments, "--output=json", cwd=shallow.root).stdout)
+    assert report["baseline"]["available"] is False
+    assert report["counts"]["open"] == len(report["results"]) > 0
+    assert [n for n in report["notifications"] if n["message"].startswith("No baseline: ")]
+    assert haros(*arguments, "--require-baseline", cwd=shallow.root).returncode == 3
+    assert haros(*arguments, "--require-baseline", "--fail-on=never", cwd=shallow.root).returncode == 3
 
-    @pytest.mark.parametrize("flag", ["--baseline-rev=nowhere", "--baseline-rev=HEAD~1", "--baseline-rev=@base"])
-    def test_all_counts_and_it_is_said(self, shallow: History, flag: str) -> None:
-        asked = ("check", *shallow.options, flag.replace("@base", shallow.base), "--fail-on=note")
-        assert haros(*asked, cwd=shallow.root).returncode == 2
-        arguments = (*asked, "--no-require-baseline")
-        done = haros(*arguments, cwd=shallow.root)
-        assert done.returncode == 1
-        assert "No baseline: " in done.stdout
-        report = json.loads(haros(*arguments, "--output=json", cwd=shallow.root).stdout)
-        assert report["baseline"]["available"] is False
-        assert report["counts"]["open"] == len(report["results"]) > 0
-        assert [n for n in report["notifications"] if n["message"].startswith("No baseline: ")]
-        assert haros(*arguments, "--require-baseline", cwd=shallow.root).returncode == 3
-        assert haros(*arguments, "--require-baseline", "--fail-on=never", cwd=shallow.root).returncode == 3
 
-    def test_first_commit(self, tmp_path: Path, lab: Lab) -> None:
-        root = write(tmp_path / "ws", {"walker.cpp": WALKER})
-        commit(root)
-        arguments = ("check", *lab.history(("cpplint",)).options, "--baseline-rev=HEAD~1", "--fail-on=note")
-        done = haros(*arguments, cwd=root)
-        assert (done.returncode, "no baseline" in done.stderr) == (2, True)
-        done = haros(*arguments, "--no-require-baseline", cwd=root)
-        assert (done.returncode, "No baseline: " in done.stdout) == (1, True)
-        assert haros(*arguments, "--require-baseline", cwd=root).returncode == 3
+def test_the_first_commit_has_no_base(tmp_path: Path, lab: Lab) -> None:
+    root = write(tmp_path / "ws", {"walker.cpp": WALKER})
+    commit(root)
+    arguments = ("check", *lab.history(("cpplint",)).options, "--baseline-rev=HEAD~1", "--fail-on=note")
+    done = haros(*arguments, cwd=root)
+    assert (done.returncode, "no baseline" in done.stderr) == (2, True)
+    done = haros(*arguments, "--no-require-baseline", cwd=root)
+    assert (done.returncode, "No baseline: " in done.stdout) == (1, True)
+    assert haros(*arguments, "--require-baseline", cwd=root).returncode == 3

@@ -86,6 +86,8 @@ def checkout(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Callable[...,
         "PRE_COMMIT_HOME": str(home / "environments"),
         "XDG_CACHE_HOME": str(home / "cache"),
         "PIP_COMPILE": "0",  # most of the modules are never imported
+        "VIRTUALENV_SETUPTOOLS": "bundle",  # is there to build with
+        "PIP_NO_BUILD_ISOLATION": "0",  # as in: no
     }
     hook = Checkout(installing.copy_of_the_checkout(home / "haros-ci"), environment)
     hook.run("git", "init", "--quiet", "--initial-branch=main")

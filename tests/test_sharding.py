@@ -82,14 +82,20 @@ def example(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFac
     yield place
 
 
-def test_cold_shards_give_the_same_bytes_as_a_cold_run(example: Place) -> None:
+@pytest.fixture(scope="module")
+def cold(example: Place) -> list[str]:
+    """Three shards for which nothing was cached."""
+    files = [Path(file) for file in example.shards(3, cache="--no-cache")]
+    return [str(file.rename(file.with_name(f"cold-{file.name}"))) for file in files]
+
+
+def test_cold_shards_give_the_same_bytes_as_a_cold_run(example: Place, cold: list[str]) -> None:
     """Nothing is cached, so units are spread over processes in another way in each run."""
     code, whole = example.whole()
     assert code == 1
     assert set(whole) == set(FORMATS)
     assert len(json.loads(whole["json"])["results"]) > 5
-    files = example.shards(3, cache="--no-cache")
-    assert example.merged(files) == (code, whole)
+    assert example.merged(cold) == (code, whole)
 
 
 @pytest.mark.parametrize("of", [1, 2, 5])
@@ -133,9 +139,9 @@ def test_suppressions_imports_and_paths(example: Place) -> None:
     assert example.merged(files, *options, *report, *(f"--path={path}" for path in paths)) == (code, whole)
 
 
-def test_remembered_costs_change_the_division_and_nothing_else(example: Place) -> None:
+def test_remembered_costs_change_the_division_and_nothing_else(example: Place, cold: list[str]) -> None:
     costs = example.root.parent / "costs.json"
-    first = example.merged(example.shards(3, cache="--no-cache"), f"--write-costs={costs}")
+    first = example.merged(cold, f"--write-costs={costs}")
     remembered = json.loads(costs.read_text())["costs"]
     assert {"", "cppcheck", "pylint", "lizard"} <= remembered.keys()
     before = [Path(file).read_text().count('"answer"') for file in example.shards(3)]
@@ -151,11 +157,17 @@ def test_remembered_costs_change_the_division_and_nothing_else(example: Place) -
 NODE = '"""Node."""\n\n\ndef go():\n    """Go."""\n    return speed\n'
 
 
+@pytest.fixture(scope="module")
+def cache(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The same three files are in each small workspace: tools look at them once."""
+    return tmp_path_factory.mktemp("cache")
+
+
 @pytest.fixture
-def small(tmp_path: Path) -> Place:
+def small(tmp_path: Path, cache: Path) -> Place:
     files = {f"ws/scripts/{name}.py": NODE for name in "abc"}
     write(tmp_path, files)
-    return Place(tmp_path / "ws", f"--cache-dir={tmp_path / 'cache'}")
+    return Place(tmp_path / "ws", f"--cache-dir={cache}")
 
 
 def test_a_missing_shard_is_named_and_nothing_is_written(small: Place, capsys: pytest.CaptureFixture[str]) -> None:

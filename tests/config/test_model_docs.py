@@ -9,10 +9,10 @@ import shlex
 import shutil
 import sqlite3
 import subprocess
-import sys
 from pathlib import Path
 
 import pytest
+from commandline import haros
 
 from haros_ci.config.load import load
 
@@ -38,8 +38,7 @@ def workspace(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def run(command: str, workspace: Path) -> subprocess.CompletedProcess[str]:
     words = shlex.split(command)
     assert words[:2] == ["haros-ci", "model"]
-    call = [sys.executable, "-m", "haros_ci", *words[1:], "--no-cache"]
-    return subprocess.run(call, cwd=workspace, capture_output=True, text=True, timeout=120)
+    return haros(*words[1:], cwd=workspace)
 
 
 SHOWN = [

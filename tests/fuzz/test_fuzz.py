@@ -8,6 +8,7 @@ import json
 import re
 import subprocess
 import sys
+from functools import cache
 from importlib import import_module
 from pathlib import Path
 from random import Random
@@ -92,6 +93,7 @@ DECODERS = {
 NAMES = {"parse_xml", "read_regular", "read_head", "open", "decode"}
 
 
+@cache
 def readers() -> dict[str, str]:
     """The modules that call a decoder, with one that they call."""
     found = {}

@@ -85,7 +85,7 @@ def strings_of_uids(data: Any) -> Iterator[str]:
             yield from strings_of_uids(item)
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=25, deadline=None)
 @given(st.data())
 def test_any_text_anywhere(data: st.DataObject) -> None:
     def draw() -> str:

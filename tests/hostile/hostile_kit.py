@@ -85,6 +85,7 @@ class Trap:
     def __init__(self, place: Path, cache: Path, *, afresh: bool = False) -> None:
         """With *afresh* each run loads Python and all modules anew, as a test of what is loaded needs it."""
         self.afresh = afresh
+        self.timeout = 120.0
         self.place = place
         self.cache = cache
         self.root = place / "ws"
@@ -140,6 +141,12 @@ class Trap:
         path.write_text(UNPRIVILEGED)
         return path
 
+    def impatient(self, lines: str) -> Path:
+        """A driver in which *lines* have lowered a bound, where what takes all of it is to be given up and said, whatever the bound is."""
+        path = self.place / "impatient.py"
+        path.write_text(f"import sys\n{lines}\nfrom haros_ci.cli import main\nsys.exit(main())\n")
+        return path
+
     def git(self, *arguments: str) -> str:
         """Run git itself in the workspace, to set the trap."""
         who = {f"GIT_{role}_{key}": "ada@example.org" for role in ("AUTHOR", "COMMITTER") for key in ("NAME", "EMAIL")}
@@ -182,7 +189,7 @@ class Trap:
         """``haros-ci`` with *arguments* in the workspace, or a *driver* that calls it."""
         env = plain({"HAROS_CI_CACHE": str(self.cache), **(environment or {})})
         if not self.afresh:
-            return server().run(list(arguments), cwd=self.root, env=env, timeout=120, driver=driver)
+            return server().run(list(arguments), cwd=self.root, env=env, timeout=self.timeout, driver=driver)
         command = [sys.executable, "-I", *([str(driver)] if driver else ["-m", "haros_ci"]), *arguments]
         return subprocess.run(
             command,
@@ -190,7 +197,7 @@ class Trap:
             env=env,
             stdin=subprocess.DEVNULL,
             capture_output=True,
-            timeout=120,
+            timeout=self.timeout,
             check=False,
         )
 

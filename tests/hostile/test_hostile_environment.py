@@ -9,6 +9,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+import forked as fork
 import pytest
 from commandline import haros, write
 
@@ -32,11 +33,12 @@ def root(tmp_path: Path) -> Path:
     return write(tmp_path / "ws", {"p/package.xml": MANIFEST, "p/a.py": "x = 1\n"})
 
 
-def run(root: Path, shell: str, **more: str) -> subprocess.CompletedProcess[str]:
-    """*shell* in a POSIX shell, with HAROS for the command."""
+def run(root: Path, shell: str, *, loaded: bool = False, **more: str) -> subprocess.CompletedProcess[str]:
+    """*shell* in a POSIX shell, with HAROS for the command; *loaded*, what it starts is forked and has the shell's streams, directory and
+    environment, but neither its limits nor an end of Python."""
     kept = {k: v for k, v in os.environ.items() if not k.startswith(("GITHUB_", "HAROS_", "PYTHON")) and k != "CI"}
     kept |= {"XDG_CACHE_HOME": str(root.parent / "xdg"), **more}
-    haros = f"{shlex.quote(sys.executable)} -I -m haros_ci"
+    haros = f"{shlex.quote(fork.python() if loaded else sys.executable)} -I -m haros_ci"
     argv = ["bash", "-c", shell.replace("HAROS", haros)]
     return subprocess.run(argv, cwd=root, env=kept, capture_output=True, text=True, errors="replace", timeout=300)
 
@@ -52,23 +54,28 @@ def fine(done: subprocess.CompletedProcess[str], *codes: int) -> None:
     assert not [word for word in ("Traceback", "internal error", "Exception ignored") if word in said], said
 
 
-@pytest.mark.parametrize("command", COMMANDS)
-@pytest.mark.parametrize("stream", [">/dev/full", ">&-"])
-def test_a_stdout_that_cannot_be_written(root: Path, command: str, stream: str) -> None:
-    done = run(root, f"HAROS {COMMANDS[command]} {stream}")
+#: How Python itself starts and ends with such a stdout: with little to write, with a document, and with more than a buffer holds.
+STARTED = [("version", ">/dev/full"), ("check", ">/dev/full"), ("help", ">&-"), ("rules", ">&-"), ("json", ">&-")]
+UNWRITABLE = [*((*row, False) for row in STARTED), *((command, ">/dev/full", True) for command in COMMANDS)]
+
+
+@pytest.mark.parametrize(("command", "stream", "loaded"), UNWRITABLE)
+def test_a_stdout_that_cannot_be_written(root: Path, command: str, stream: str, loaded: bool) -> None:
+    done = run(root, f"HAROS {COMMANDS[command]} {stream}", loaded=loaded)
     fine(done, 3)
     assert done.stderr.count("error: stdout cannot be written: ") == 1
 
 
-@pytest.mark.parametrize("command", COMMANDS)
-def test_a_reader_that_has_gone(root: Path, command: str) -> None:
-    done = run(root, f"HAROS {COMMANDS[command]} | true; exit ${{PIPESTATUS[0]}}")
+@pytest.mark.parametrize(("command", "loaded"), [("check", False), ("rules", False), *((c, True) for c in COMMANDS)])
+def test_a_reader_that_has_gone(root: Path, command: str, loaded: bool) -> None:
+    done = run(root, f"HAROS {COMMANDS[command]} | true; exit ${{PIPESTATUS[0]}}", loaded=loaded)
     fine(done, 0, 1, 3)
     assert "error" not in done.stderr
 
 
-@pytest.mark.parametrize("command", ["check", "model"])
-@pytest.mark.parametrize("stream", ["2>&-", "<&-", "<&- 2>&-"])
+@pytest.mark.parametrize(
+    ("command", "stream"), [("check", "2>&-"), ("check", "<&-"), ("check", "<&- 2>&-"), ("model", "<&- 2>&-")]
+)
 def test_other_streams_that_are_closed(root: Path, command: str, stream: str) -> None:
     fine(run(root, f"HAROS {COMMANDS[command]} {stream}"), 0, 1)
 
@@ -85,8 +92,9 @@ def test_a_current_directory_that_is_gone(root: Path, command: str) -> None:
     assert done.returncode == 0 or "the current directory does not exist any more" in done.stderr
 
 
-@pytest.mark.parametrize("limit", ["-n 8", "-n 20", "-f 1", "-f 0"])
-@pytest.mark.parametrize("command", ["check", "model"])
+@pytest.mark.parametrize(
+    ("command", "limit"), [*(("check", limit) for limit in ("-n 8", "-n 20", "-f 1", "-f 0")), ("model", "-n 20")]
+)
 def test_little_of_everything(root: Path, limit: str, command: str) -> None:
     fine(run(root, f"ulimit {limit}; HAROS {COMMANDS[command]}"), 0, 1, 2, 3)
 

@@ -42,13 +42,17 @@ HEAD = "#!/usr/bin/env python3\nimport rospy\nfrom std_msgs.msg import String\n\
 NODE = f"{HEAD}rospy.Publisher('news', String, queue_size=1)\n"
 
 
+#: A part of the steps that a node has.
+FEWER = "from haros_ci.follow import walk\nwalk.STEPS = 5_000"
+
+
 def many_calls() -> str:
-    """A script of some hundred thousand calls."""
+    """A script of some thousand calls."""
     made = ["def f0(x):\n    rospy.Publisher('n%d' % x, String, queue_size=1)\n"]
-    for level in range(1, 7):
+    for level in range(1, 5):
         calls = "".join(f"    f{level - 1}(x * 8 + {number})\n" for number in range(8))
         made.append(f"def f{level}(x):\n{calls}")
-    return f"{HEAD}{''.join(made)}f6(0)\n"
+    return f"{HEAD}{''.join(made)}f4(0)\n"
 
 
 def nested_python(depth: int) -> str:
@@ -119,7 +123,7 @@ def found(outcome: Outcome) -> list[tuple[str, str, str, str]]:
 @pytest.mark.parametrize("case", CASES, ids=lambda case: case.name)
 def test_it_is_a_finding_at_the_file(case: Case, trap: Trap) -> None:
     change(trap, case)
-    outcome = trap.run(*ONLY)
+    outcome = trap.run(*ONLY, driver=trap.impatient(FEWER))
     assert outcome.code == 1, (outcome.stderr, outcome.notes())
     [(path, level, state, message)] = found(outcome)
     assert (path, level, state) == (case.path, "warning", "new")

@@ -18,6 +18,18 @@ L = "<xacro:property name='l' value='${[0]*20000}'/>"
 WIDE = f"{L}<xacro:property name='m' value='${{[l]*20000}}'/>\n<xacro:property name='n' value='${{[[0]*19999 + [1]]*20000}}'/>"
 
 
+#: A tenth of the steps that a description, and all together, may take.
+FEWER = """
+from haros_ci.robot import evaluating, sources
+whole = sources.DescriptionSources.__post_init__
+def tenth(self):
+    whole(self)
+    self.steps = sources.MAX_STEPS // 10
+evaluating.MAX_STEPS //= 10
+sources.DescriptionSources.__post_init__ = tenth
+"""
+
+
 def names(step: int) -> list[str]:
     return ["".join(chr(0x4E00 + (at * step + number) % 9000) for at in range(5000)) for number in range(8)]
 
@@ -31,7 +43,7 @@ ENDLESS = {
     )
     + '<xacro:macro name="m40"/><xacro:m0/>',
     "turns": "<link name='${[a for a in range(19999) for b in range(19999) if False]}'/>",
-    "lists": f"{L}\n" + "<link name='${1 in l}'/>\n" * 20_000,
+    "lists": f"{L}\n" + "<link name='${1 in l}'/>\n" * 5_000,
     "parameters": '<xacro:macro name="o"><xacro:macro name="m" params="'
     + "a=${\n" * 4_000
     + '"/></xacro:macro>'
@@ -42,7 +54,7 @@ HUGE = {
     "text of lists": f"{WIDE}<link name='${{m}}'/><link name='${{str(m)}}'/>",
     "text of texts": "<xacro:property name='t' value='${\"x\"*20000}'/><link name='${str([t]*20000)}'/>",
     "equal lists": f"{WIDE}<link name='${{m == n}}'/><link name='${{m.count(n)}}'/><link name='${{n in m}}'/>",
-    "sums": "<xacro:property name='l' value='${[[1]]*19000}'/>\n" + "<link name='${len(sum(l, []))}'/>\n" * 2_000,
+    "sums": "<xacro:property name='l' value='${[[1]]*19000}'/>\n" + "<link name='${len(sum(l, []))}'/>\n" * 500,
     "powers": "<link name='${9**9**9}'/><link name='${(9**500)**500}'/><link name='${\"a\"*10**10}'/>",
     "ranges": "<link name='${list(range(10**9))}'/><link name='${sum(range(10**10))}'/>",
     "formats": "<link name='${\"%0999999999d\" % 1}'/><link name='${f\"{1:>999999999}\"}'/><link name='${str(1).zfill(10**9)}'/>",
@@ -85,7 +97,7 @@ def laid(trap: Trap, body: str) -> None:
 @pytest.mark.parametrize("name", sorted(ENDLESS))
 def test_a_description_without_end_is_given_up_and_told(trap: Trap, name: str) -> None:
     laid(trap, ENDLESS[name])
-    outcome = trap.run("--profile=architecture")
+    outcome = trap.run("--profile=architecture", driver=trap.impatient(FEWER))
     assert_harmless(trap, outcome)
     assert_the_rest_is_analysed(outcome, ("good/urdf/good.urdf", 2, "broken-robot-model"))
     assert any(path == "bad/urdf/x.xacro" and "not expanded to its end" in said for path, said in outcome.notes())
@@ -105,11 +117,11 @@ def test_many_descriptions_share_what_they_may_take(trap: Trap) -> None:
     laid(trap, "<link name='a'/>")
     for number in range(40):
         trap.write(f"bad/urdf/a{number}.xacro", f'<robot xmlns:xacro="x" name="r">{ENDLESS["turns"]}</robot>')
-    for number in range(500):
+    for number in range(250):
         trap.write(f"bad/more/f_{number}.xacro", '<robot name="r"><link name="a"/></robot>')
-    trap.write("bad/config/a.yaml", "# xacro\n" + "".join(f'"k{number}": 1\n' for number in range(30_000)))
-    trap.write("bad/config/b.yaml", "# xacro\n" + "q_f_ f_ x f_\n" * 30_000)
-    outcome = trap.run("--profile=architecture")
+    trap.write("bad/config/a.yaml", "# xacro\n" + "".join(f'"k{number}": 1\n' for number in range(10_000)))
+    trap.write("bad/config/b.yaml", "# xacro\n" + "q_f_ f_ x f_\n" * 10_000)
+    outcome = trap.run("--profile=architecture", driver=trap.impatient(FEWER))
     assert_harmless(trap, outcome)
     assert_the_rest_is_analysed(outcome, ("good/urdf/good.urdf", 2, "broken-robot-model"))
 

@@ -172,10 +172,10 @@ def test_a_hook_sees_what_the_others_set(tmp_path: Path, others: list[str], expe
 
 
 def test_hostile_hooks_are_cheap(tmp_path: Path) -> None:
-    scripts = ["(\n" + " ".join(f"a{hook}_{number}=" for number in range(6_000)) for hook in range(40)]
+    scripts = ["(\n" + " ".join(f"a{hook}_{number}=" for number in range(6_000)) for hook in range(15)]
     start = time.process_time()
     model(tmp_path, many(scripts))
-    assert time.process_time() - start < 10
+    assert time.process_time() - start < 4
 
 
 @pytest.mark.parametrize(

@@ -80,7 +80,7 @@ def texts(what: str) -> Any:
 @cache
 def followed(what: str, again: bool = False) -> Any:
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(walk, "STEPS", 20_000)  # of any number of steps all of them are taken
+        patch.setattr(walk, "STEPS", 8_000)  # of any number of steps all of them are taken
         return follow(texts(what))
 
 

@@ -65,7 +65,7 @@ def element(children: object) -> object:
 TREES = st.recursive(element(st.just([])), lambda inner: element(st.lists(inner, max_size=5)), max_leaves=12)
 
 
-@hypothesis.settings(max_examples=100, deadline=None, derandomize=True, database=None)
+@hypothesis.settings(max_examples=40, deadline=None, derandomize=True, database=None)
 @hypothesis.given(st.lists(TREES, max_size=6), TEXTS)
 def test_any_tree_of_known_words(trees: list[str], yaml: str) -> None:
     files = {MAIN: f"<launch>{''.join(trees)}</launch>", "bot/p.yaml": yaml}
@@ -91,7 +91,7 @@ def test_any_tree_of_known_words(trees: list[str], yaml: str) -> None:
     )
 
 
-@hypothesis.settings(max_examples=100, deadline=None, derandomize=True, database=None)
+@hypothesis.settings(max_examples=40, deadline=None, derandomize=True, database=None)
 @hypothesis.given(st.one_of(st.text(max_size=60), TREES.map(lambda text: text[:-3]), TREES))
 def test_any_text(text: str) -> None:
     launch = read_launch(text)

@@ -96,12 +96,10 @@ def test_trusted_configuration_is_passed_whole(tmp_path: Path) -> None:
     assert marks(tmp_path) == "hook\n"
 
 
-@pytest.mark.parametrize(
-    "name", ["-rcfile.py", "--init-hook=x.py", "two words.py", "100%.py", "::error::.py", "ü.py", "a'b.py"]
-)
-def test_odd_names_are_linted(tmp_path: Path, name: str) -> None:
-    done = run(tmp_path, {name: "import os\n"})
-    assert ("unused-import", name) in {(result.rule, result.location.path) for result in done.results}
+def test_odd_names_are_linted(tmp_path: Path) -> None:
+    names = ["-rcfile.py", "--init-hook=x.py", "two words.py", "100%.py", "::error::.py", "ü.py", "a'b.py"]
+    done = run(tmp_path, dict.fromkeys(names, "import os\n"))
+    assert {result.location.path for result in done.results if result.rule == "unused-import"} == set(names)
     assert done.successful
 
 

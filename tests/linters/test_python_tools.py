@@ -59,23 +59,6 @@ def rules(done: Run) -> set[tuple[str, str]]:
     return {(r.rule, str(r.location)) for r in done.results}
 
 
-@pytest.mark.parametrize("tool", TOOLS, ids=IDS)
-def test_it_finds_its_defect(tmp_path: Path, tool: Linter) -> None:
-    done = run(tmp_path, tool, {"robot/go.py": SAMPLE})
-    assert tool.WHEN is When.ASKED and done.tool.version[0].isdigit()
-    assert FOUND[tool] in rules(done) and done.analysed == {"robot/go.py"}
-    assert str(tmp_path) not in repr(done) and not done.notifications
-
-
-@pytest.mark.parametrize("tool", TOOLS, ids=IDS)
-def test_it_stays_quiet(tmp_path: Path, tool: Linter) -> None:
-    sound = (
-        '"""Go."""\n\nimport sys\n\n\ndef go(speed: int = 3) -> int:\n    """Go."""\n    return speed + len(sys.argv)\n'
-    )
-    done = run(tmp_path, tool, {"robot/go.py": sound, "robot/empty.py": "", "robot/__init__.py": ""})
-    assert rules(done) == set() and len(done.analysed) == 3
-
-
 NAMES = [
     "-rcfile.py",
     "--config=x.py",
@@ -87,14 +70,20 @@ NAMES = [
     "[a]*.py",
     "a:1: b.py",
 ]
+SOUND = '"""Go."""\n\nimport sys\n\n\ndef go(speed: int = 3) -> int:\n    """Go."""\n    return speed + len(sys.argv)\n'
+DEFECTS: dict[str, str | bytes] = dict.fromkeys(("robot/go.py", *(f"robot/{name}" for name in NAMES)), SAMPLE)
+CALM: dict[str, str | bytes] = {"calm/go.py": SOUND, "calm/empty.py": "", "calm/__init__.py": ""}
 
 
 @pytest.mark.parametrize("tool", TOOLS, ids=IDS)
-def test_odd_names(tmp_path: Path, tool: Linter) -> None:
-    files: dict[str, str | bytes] = dict.fromkeys((f"robot/{name}" for name in NAMES), SAMPLE)
-    done = run(tmp_path, tool, files)
-    assert {r.location.path for r in done.results if r.rule == FOUND[tool][0]} == set(files)
-    assert not done.notifications
+def test_it_finds_its_defect_under_any_name_and_else_stays_quiet(tmp_path: Path, tool: Linter) -> None:
+    done = run(tmp_path, tool, {**DEFECTS, **CALM}, packages=(PACKAGE, Package("calm", "calm")))
+    assert tool.WHEN is When.ASKED and done.tool.version[0].isdigit()
+    assert FOUND[tool] in rules(done)
+    assert {r.location.path for r in done.results if r.rule == FOUND[tool][0]} == set(DEFECTS)
+    assert not [r for r in done.results if r.location.path in CALM]
+    assert done.analysed == {*DEFECTS, *CALM}
+    assert str(tmp_path) not in repr(done) and not done.notifications
 
 
 UNREAD: dict[str, str | bytes] = {
@@ -306,12 +295,19 @@ MYPY_LAYOUTS: list[tuple[dict[str, str], set[tuple[str, str]]]] = [
 ]
 
 
-@pytest.mark.parametrize(("files", "said"), MYPY_LAYOUTS)
-def test_mypy_on_packages_as_ros_has_them(tmp_path: Path, files: dict[str, str], said: set[tuple[str, str]]) -> None:
+def test_mypy_on_packages_as_ros_has_them(tmp_path: Path) -> None:
+    """Each layout in a directory of its own: mypy reads the types of the standard library once."""
     if mypy.locate(LintOptions()) is None:
         pytest.skip("mypy is not installed")
-    done = run(tmp_path, mypy, dict(files), packages=(PACKAGE, Package("other", "other")))
-    assert {row for row in rules(done) if row[0] != "syntax"} == said
+    files: dict[str, str | bytes] = {}
+    packages: list[Package] = []
+    expected: dict[int, set[tuple[str, str]]] = {}
+    for number, (layout, said) in enumerate(MYPY_LAYOUTS):
+        files |= {f"l{number}/{path}": text for path, text in layout.items()}
+        packages += [Package(f"{name}_{number}", f"l{number}/{name}", ros=2) for name in ("robot", "other")]
+        expected[number] = {(rule, f"l{number}/{place}") for rule, place in said}
+    found = {row for row in rules(run(tmp_path, mypy, files, packages=tuple(packages))) if row[0] != "syntax"}
+    assert {n: {row for row in found if row[1].startswith(f"l{n}/")} for n in expected} == expected
 
 
 def test_a_package_s_file_is_checked_anew_when_another_changes(tmp_path: Path) -> None:

@@ -212,7 +212,7 @@ def walks(statements: list[ast.stmt]) -> list[tuple[str, ...]]:
     return ways
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=25, deadline=None)
 @given(st.lists(programs(2), min_size=1, max_size=2).map("\n".join))
 def test_paths_are_the_walks_through_the_function(body: str) -> None:
     assert only(body).paths == len(walks(ast.parse(body).body))

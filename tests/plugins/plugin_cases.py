@@ -9,6 +9,7 @@ import sys
 from pathlib import Path
 
 from commandline import write
+from forked import server
 
 ROOT = Path(__file__).resolve().parents[2]
 EXAMPLE = ROOT / "examples" / "haros_ci_example_plugin"
@@ -40,8 +41,29 @@ def check_module(id: str, body: str) -> str:
     return CHECK.format(id=id, body=body, page=PAGE.format(id=id))
 
 
+#: In the place of the command: what is on PYTHONPATH comes before what is installed.
+ON_PATH = "import sys\nsys.path.insert(0, {path!r})\nfrom haros_ci.cli import main\nsys.exit(main())\n"
+
+
 def run(*arguments: str, cwd: Path, path: Path | None = None, **environment: str) -> subprocess.CompletedProcess[str]:
-    """``python -m haros_ci ARGUMENTS`` in *cwd*, with *path* on PYTHONPATH."""
+    """``haros-ci ARGUMENTS`` in *cwd*, with *path* before what is installed, forked from the process that has all modules loaded."""
+    kept = {
+        k: v
+        for k, v in os.environ.items()
+        if not k.startswith(("GITHUB_", "HAROS_", "PYTHON")) and k not in ("CI", "COLUMNS")
+    }
+    env = {**kept, "XDG_CACHE_HOME": str(cwd.parent / "xdg"), **environment}
+    driver = None
+    if path is not None:
+        driver = write(cwd.parent, {"on_path.py": ON_PATH.format(path=str(path))}) / "on_path.py"
+    done = server().run(list(arguments), cwd=cwd, env=env, timeout=300, driver=driver)
+    return subprocess.CompletedProcess(done.args, done.returncode, done.stdout.decode(), done.stderr.decode())
+
+
+def started(
+    *arguments: str, cwd: Path, path: Path | None = None, **environment: str
+) -> subprocess.CompletedProcess[str]:
+    """``python -m haros_ci ARGUMENTS`` in *cwd*, with *path* on PYTHONPATH: for what is loaded and from where."""
     kept = {
         k: v
         for k, v in os.environ.items()

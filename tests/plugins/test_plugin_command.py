@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 from commandline import write
-from plugin_cases import EXAMPLE, check_module, run, workspace
+from plugin_cases import EXAMPLE, check_module, run, started, workspace
 
 NAME = "haros_ci_example_plugin"
 #: Only what the plug-in brings, so that no other tool is started.
@@ -74,7 +74,7 @@ def test_installed_it_is_found(tmp_path: Path) -> None:
     if "No module named pip" in made.stderr:
         pytest.skip("no pip here")
     assert made.returncode == 0, made.stderr
-    done = run("check", *QUICK, "--plugin", NAME, cwd=workspace(tmp_path / "ws"), path=target)
+    done = started("check", *QUICK, "--plugin", NAME, cwd=workspace(tmp_path / "ws"), path=target)
     assert "the house writes /battery_state" in done.stdout
 
 
@@ -168,11 +168,11 @@ def test_modules_of_the_workspace_are_not_run(tmp_path: Path) -> None:
     root = workspace(tmp_path / "ws")
     evil = {f"{name}.py": "raise SystemExit('EVIL')\n" for name in ("evil", "click", "yaml", "haros_ci_checks")}
     write(root, {**evil, "haros_plugin_evil/__init__.py": "raise SystemExit('EVIL')\n"})
-    done = run("check", *QUICK, cwd=root)
+    done = started("check", *QUICK, cwd=root)
     assert done.returncode == 0 and "EVIL" not in done.stdout + done.stderr
-    done = run("check", *QUICK, "--plugin", "evil", cwd=root)
+    done = started("check", *QUICK, "--plugin", "evil", cwd=root)
     assert done.returncode == 2 and "what the workspace has of that name is never imported" in done.stderr
     for name in ("click", "yaml", "haros_ci_checks"):  # what PYTHONPATH names is the user's; of a plug-in it is refused
         (root / f"{name}.py").unlink()
-    done = run("check", *QUICK, "--plugin", "evil", cwd=root, path=root)
+    done = started("check", *QUICK, "--plugin", "evil", cwd=root, path=root)
     assert done.returncode == 2 and "EVIL" not in done.stdout + done.stderr

@@ -46,7 +46,7 @@ def nested(where: list[str], pools: list[list[Thing]]) -> list[tuple[Thing, ...]
     return [row for row in product(*pools) if query.matches(dict(zip(NAMES, row, strict=True)))]
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=60, deadline=None)
 @for_all(st.lists(conditions(), min_size=1, max_size=4), THINGS, THINGS, THINGS)
 def test_a_join_is_the_nested_loop(where: list[str], us: list[Thing], vs: list[Thing], ws: list[Thing]) -> None:
     pools = [us, vs, ws]

@@ -161,7 +161,7 @@ def test_any_commands() -> None:
         )
     )
 
-    @hypothesis.settings(max_examples=150, deadline=None, database=None, derandomize=True)
+    @hypothesis.settings(max_examples=60, deadline=None, database=None, derandomize=True)
     @hypothesis.given(st.lists(line, max_size=15).map("\n".join))
     def check(text: str) -> None:
         first = built(text, "a")

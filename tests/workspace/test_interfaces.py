@@ -120,7 +120,7 @@ def test_any_text() -> None:
         ["int32", "string<=9", " ", " x", "=", "[", "]", ",", "---", "\n", "'", '"', "\\", "#", "1", "/"]
     )
 
-    @hypothesis.settings(max_examples=150, deadline=None, database=None, derandomize=True)
+    @hypothesis.settings(max_examples=60, deadline=None, database=None, derandomize=True)
     @hypothesis.given(
         st.lists(piece, max_size=40).map("".join), st.sampled_from(["a.msg", "a.srv", "a.action", "a", ""])
     )

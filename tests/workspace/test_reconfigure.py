@@ -183,7 +183,7 @@ def test_any_text() -> None:
         ]
     )
 
-    @hypothesis.settings(max_examples=150, deadline=None, database=None, derandomize=True)
+    @hypothesis.settings(max_examples=60, deadline=None, database=None, derandomize=True)
     @hypothesis.given(st.lists(piece, max_size=25).map("".join))
     def check(text: str) -> None:
         assert read(text) == read(text)

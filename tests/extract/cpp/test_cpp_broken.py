@@ -204,13 +204,13 @@ void f() {@}@(@)@[@]@{@;@,@:@::@<@>@->@.@*@&@=@==@"@'@#if A\n@#else\n@#endif\n@#
 FRAGMENTS = SPLICED.split("@")
 
 
-@settings(max_examples=300, deadline=None, derandomize=True, database=None)
+@settings(max_examples=120, deadline=None, derandomize=True, database=None)
 @given(st.lists(st.sampled_from(FRAGMENTS), max_size=40))
 def test_random_splices(pieces: list[str]) -> None:
     check(" ".join(pieces))
 
 
-@settings(max_examples=100, deadline=None, derandomize=True, database=None)
+@settings(max_examples=40, deadline=None, derandomize=True, database=None)
 @given(st.text(max_size=80))
 def test_random_text(text: str) -> None:
     check(text)

@@ -11,8 +11,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from launch_python_kit import HEAD, PATH, Context
 
-from haros_ci.launch.python import Budget, interpret
-from haros_ci.launch.python.heap import SIZE, STEPS
+from haros_ci.launch.python import Budget, heap, interpret
 from haros_ci.model.launch_actions import Action, Description
 
 MARKERS = ("$(find-pkg-share ", "$(workspace ")
@@ -38,8 +37,8 @@ def follow(text: str, opaque: int = 3) -> Description:
 
 
 def check(budget: Budget) -> None:
-    assert budget.steps <= STEPS
-    assert budget.size <= SIZE
+    assert budget.steps <= heap.STEPS
+    assert budget.size <= heap.SIZE
 
 
 def every(actions: Iterable[Action]) -> Iterable[Action]:
@@ -102,7 +101,9 @@ BOMBS = [
 
 
 @pytest.mark.parametrize("body", BOMBS, ids=range(len(BOMBS)))
-def test_bombs(body: str) -> None:
+def test_bombs(body: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(heap, "STEPS", 10_000)  # of any number of steps all of them are taken
+    monkeypatch.setattr(heap, "SIZE", 400_000)
     inside = "".join(f"    {line}\n" for line in body.splitlines())
     for text in (
         f"{HEAD}\n{body}\ndef generate_launch_description():\n    return LaunchDescription([])\n",
@@ -298,7 +299,7 @@ def blocks(draw: st.DrawFn, depth: int = 0) -> list[str]:
     return lines
 
 
-@settings(max_examples=100, deadline=None, suppress_health_check=list(HealthCheck))
+@settings(max_examples=40, deadline=None, suppress_health_check=list(HealthCheck))
 @given(blocks())
 def test_random_programs(lines: list[str]) -> None:
     inside = "\n".join(f"    {line}" for line in lines)
@@ -341,7 +342,7 @@ def generate_launch_description():
 )
 
 
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=80, deadline=None)
 @given(st.integers(0, 2**32), st.integers(1, 6))
 def test_mutated_files(seed: int, count: int) -> None:
     chance = random.Random(seed)

@@ -153,7 +153,7 @@ def check(files: dict[str, str]) -> None:
     entry_files(places.workspace, loader(files), places, lambda path: True)
 
 
-@hypothesis.settings(max_examples=150, deadline=None, derandomize=True, database=None)
+@hypothesis.settings(max_examples=60, deadline=None, derandomize=True, database=None)
 @hypothesis.given(st.lists(TREES, max_size=6), TEXTS)
 def test_any_tree_of_known_words(trees: list[str], yaml: str) -> None:
     check({MAIN: f"<launch>{''.join(trees)}</launch>", "bot/p.yaml": "/**: {ros__parameters: {x: " + yaml + "}}"})
@@ -171,7 +171,7 @@ GOOD = """<launch>
 """
 
 
-@hypothesis.settings(max_examples=150, deadline=None, derandomize=True, database=None)
+@hypothesis.settings(max_examples=60, deadline=None, derandomize=True, database=None)
 @hypothesis.given(st.integers(0, len(GOOD)), st.integers(0, 20), TEXTS, TEXTS)
 def test_a_good_file_with_a_piece_replaced(start: int, length: int, text: str, yaml: str) -> None:
     broken = GOOD[:start] + text + GOOD[start + length :]
@@ -188,7 +188,7 @@ PLAIN = st.recursive(
 )
 
 
-@hypothesis.settings(max_examples=150, deadline=None, derandomize=True, database=None)
+@hypothesis.settings(max_examples=60, deadline=None, derandomize=True, database=None)
 @hypothesis.given(st.one_of(PLAIN.map(lambda data: json.dumps({"launch": data})), st.text(max_size=60), TEXTS))
 def test_any_yaml(text: str) -> None:
     assert read_ros2_yaml(text, "bot/a.launch.yaml") == read_ros2_yaml(text, "bot/a.launch.yaml")
@@ -196,7 +196,7 @@ def test_any_yaml(text: str) -> None:
     run(files)
 
 
-@hypothesis.settings(max_examples=300, deadline=None, derandomize=True, database=None)
+@hypothesis.settings(max_examples=120, deadline=None, derandomize=True, database=None)
 @hypothesis.given(st.one_of(TEXTS, st.text(max_size=40)))
 def test_any_text(text: str) -> None:
     phrase, problem = read_phrase(text)
