@@ -9,10 +9,7 @@ import gc
 import os
 import signal
 import sys
-from collections.abc import Callable
 from contextlib import suppress
-from functools import partial
-from typing import Any
 
 import pytest
 from commandline import cache_home
@@ -50,26 +47,6 @@ for _number, (_key, _value) in enumerate(_GIT.items()):
 def pytest_configure(config: pytest.Config) -> None:
     if not hasattr(config, "workerinput"):  # before the processes of pytest-xdist begin
         cache_home()
-    elif config.option.verbose <= 0 and config.option.durations is None and not config.option.xmlpath:
-        say_less(config)
-
-
-def say_less(config: pytest.Config) -> None:
-    """Of a test that passes a process of pytest-xdist says that alone, and neither that it begins, is set up, is taken down and ends.
-
-    A third of what thirty thousand small tests cost went into saying that.
-    """
-    for plugin in config.pluginmanager.get_plugins():
-        send = getattr(plugin, "sendevent", None)
-        if callable(send):
-            plugin.sendevent = partial(_sent, send)
-
-
-def _sent(send: Callable[..., None], name: str, **what: Any) -> None:
-    of = what.get("data") if name == "testreport" else None
-    is_idle = isinstance(of, dict) and of.get("outcome") == "passed" and of.get("when") in ("setup", "teardown")
-    if name not in ("logstart", "logfinish") and not is_idle:
-        send(name, **what)
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
