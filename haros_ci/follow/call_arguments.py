@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from haros_ci import syntax
-from haros_ci.follow import conversions, expressions, static_types
+from haros_ci.follow import conversions, expressions, handed_out, static_types
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.walk import Walk
 from haros_ci.index.types import INTEGERS, REALS
@@ -15,12 +15,13 @@ from haros_ci.values.abstract import Cell, Mapped, Value
 
 @dataclass(frozen=True, slots=True, eq=False)
 class PassedArgument:
-    """An argument: its value, its cell where it is an lvalue, its static type, its keyword in Python."""
+    """An argument: its value, its cell where it is an lvalue, its static type, its keyword in Python, whether it is ``std::ref(x)``."""
 
     value: Value
     cell: Cell | None = None
     type: Type | None = None
     keyword: str = ""
+    is_wrapped: bool = False
 
 
 def is_scalar(kind: Type) -> bool:
@@ -56,6 +57,8 @@ def arguments(walk: Walk, frame: Frame, written: tuple[Expression, ...]) -> tupl
         keyword = ""
         if type(expression) is syntax.Keyword:
             keyword, expression = expression.name, expression.value
+        wrapped = handed_out.wrapped(walk, expression) if type(expression) is syntax.Call else None
+        expression = wrapped or expression
         cell, value = expressions.located(walk, frame, expression)
         kind = cell.type if cell is not None and cell.type is not None else None
         if kind is None and type(expression) in TYPED:
@@ -63,7 +66,7 @@ def arguments(walk: Walk, frame: Frame, written: tuple[Expression, ...]) -> tupl
         if is_open and not keyword:
             result.append(PassedArgument(walk.opaque(UNPACKED, frame), keyword="*"))
             continue
-        result.append(PassedArgument(value, cell, kind or conversions.value_type(value), keyword))
+        result.append(PassedArgument(value, cell, kind or conversions.value_type(value), keyword, wrapped is not None))
     return tuple(result)
 
 
