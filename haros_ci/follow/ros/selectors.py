@@ -239,7 +239,7 @@ def _first_type(applied: Applied, selectors: list[str]) -> TypeValue | None:
     other: TypeValue | None = None
     for selector in selectors:
         found = select_value(applied, selector) if selector[0] == "<" else None
-        if isinstance(found, TypeValue) and is_hidden(found.type):
+        if isinstance(found, TypeValue) and is_hidden(found.type) and not _is_open(applied, found.type):
             return found
         hidden = _hidden(applied, selector)
         if hidden is None and (kind := _type_of(applied, selector)) is not None:
@@ -260,11 +260,17 @@ def _hidden(applied: Applied, selector: str) -> TypeValue | None:
         or applied.frame.source.separator == "."
     ):
         return None
-    index, function = applied.walk.index, applied.frame.function
+    index = applied.walk.index
     is_known = kind.name in index.classes or kind.name in index.aliases or kind.name in index.library
-    if is_known or kind.name in applied.frame.templates or (function and kind.name in function.templates):
-        return None
-    return TypeValue(kind)
+    return None if is_known or _is_open(applied, kind) else TypeValue(kind)
+
+
+def _is_open(applied: Applied, kind: syntax.Type) -> bool:
+    """Whether a type is, or is made of, a template parameter of the function around the call: who calls it is not seen."""
+    function = applied.frame.function
+    names = {*applied.frame.templates, *(function.templates if function is not None else ())}
+    inner = kind.of(0)
+    return kind.name in names or (inner is not None and inner.name in names)
 
 
 def _type_of(applied: Applied, selector: str) -> TypeValue | None:
