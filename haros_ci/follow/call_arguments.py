@@ -10,7 +10,7 @@ from haros_ci.follow.walk import Walk
 from haros_ci.index.types import INTEGERS, REALS
 from haros_ci.records import dataclass
 from haros_ci.syntax import Expression, Type
-from haros_ci.values.abstract import Cell, Mapped, Value
+from haros_ci.values.abstract import Cell, Known, Mapped, Value
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -45,7 +45,7 @@ def arguments(walk: Walk, frame: Frame, written: tuple[Expression, ...]) -> tupl
             continue
         if type(expression) is syntax.DoubleStar:
             argument_value = expressions.evaluate(walk, frame, expression.value)
-            cells = argument_value.content.value if isinstance(argument_value, Mapped) else None
+            cells = argument_value.content.value if isinstance(argument_value, Mapped) else _data(argument_value)
             named = (
                 {key: cell for key, cell in cells.items() if isinstance(key, str)} if isinstance(cells, dict) else {}
             )
@@ -68,6 +68,12 @@ def arguments(walk: Walk, frame: Frame, written: tuple[Expression, ...]) -> tupl
             continue
         result.append(PassedArgument(value, cell, kind or conversions.value_type(value), keyword, wrapped is not None))
     return tuple(result)
+
+
+def _data(value: Value) -> dict[object, Cell] | None:
+    """The entries of plain data, as of parameters: one for each key; None if it is no dictionary."""
+    held = value.value if isinstance(value, Known) and value.kind is dict else None
+    return {key: Cell(Known(item)) for key, item in held.items()} if isinstance(held, dict) else None
 
 
 #: Why an argument is not known.
