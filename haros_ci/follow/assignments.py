@@ -12,6 +12,7 @@ from haros_ci.follow import (
     conversions,
     copies,
     expressions,
+    handed_out,
     lookup,
     members,
     methods,
@@ -62,6 +63,8 @@ def assignment(walk: Walk, frame: Frame, expression: syntax.Assignment) -> Value
         (type(source) is not syntax.Call and type(source) is not syntax.New and type(source) is not syntax.ListLiteral)
         or walk.references is not None
     )
+    if value.__class__ is Pointer and type(target) is syntax.Member and not python:
+        handed_out.stored(walk, frame, target, value)
     cell = _target(walk, frame, target)
     if cell is None:
         uncertain.lost(walk, frame, target, value if symbol == "=" else walk.opaque("it is changed", frame))

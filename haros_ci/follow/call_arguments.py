@@ -4,23 +4,24 @@
 from __future__ import annotations
 
 from haros_ci import syntax
-from haros_ci.follow import conversions, expressions, static_types
+from haros_ci.follow import conversions, expressions, handed_out, static_types
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.walk import Walk
 from haros_ci.index.types import INTEGERS, REALS
 from haros_ci.records import dataclass
 from haros_ci.syntax import Expression, Type
-from haros_ci.values.abstract import Cell, Mapped, Value
+from haros_ci.values.abstract import Cell, Known, Mapped, Value
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class PassedArgument:
-    """An argument: its value, its cell where it is an lvalue, its static type, its keyword in Python."""
+    """An argument: its value, its cell where it is an lvalue, its static type, its keyword in Python, whether it is ``std::ref(x)``."""
 
     value: Value
     cell: Cell | None = None
     type: Type | None = None
     keyword: str = ""
+    is_wrapped: bool = False
 
 
 def is_scalar(kind: Type) -> bool:
@@ -44,7 +45,7 @@ def arguments(walk: Walk, frame: Frame, written: tuple[Expression, ...]) -> tupl
             continue
         if type(expression) is syntax.DoubleStar:
             argument_value = expressions.evaluate(walk, frame, expression.value)
-            cells = argument_value.content.value if isinstance(argument_value, Mapped) else None
+            cells = argument_value.content.value if isinstance(argument_value, Mapped) else _data(argument_value)
             named = (
                 {key: cell for key, cell in cells.items() if isinstance(key, str)} if isinstance(cells, dict) else {}
             )
@@ -56,6 +57,8 @@ def arguments(walk: Walk, frame: Frame, written: tuple[Expression, ...]) -> tupl
         keyword = ""
         if type(expression) is syntax.Keyword:
             keyword, expression = expression.name, expression.value
+        wrapped = handed_out.wrapped(walk, expression) if type(expression) is syntax.Call else None
+        expression = wrapped or expression
         cell, value = expressions.located(walk, frame, expression)
         kind = cell.type if cell is not None and cell.type is not None else None
         if kind is None and type(expression) in TYPED:
@@ -63,8 +66,14 @@ def arguments(walk: Walk, frame: Frame, written: tuple[Expression, ...]) -> tupl
         if is_open and not keyword:
             result.append(PassedArgument(walk.opaque(UNPACKED, frame), keyword="*"))
             continue
-        result.append(PassedArgument(value, cell, kind or conversions.value_type(value), keyword))
+        result.append(PassedArgument(value, cell, kind or conversions.value_type(value), keyword, wrapped is not None))
     return tuple(result)
+
+
+def _data(value: Value) -> dict[object, Cell] | None:
+    """The entries of plain data, as of parameters: one for each key; None if it is no dictionary."""
+    held = value.value if isinstance(value, Known) and value.kind is dict else None
+    return {key: Cell(Known(item)) for key, item in held.items()} if isinstance(held, dict) else None
 
 
 #: Why an argument is not known.

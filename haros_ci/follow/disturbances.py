@@ -7,7 +7,7 @@ from bisect import bisect_left
 from collections.abc import Iterable, Mapping, Sequence
 from itertools import accumulate
 
-from haros_ci.follow import counters
+from haros_ci.follow import counters, handed_out
 from haros_ci.follow.walk import Walk
 from haros_ci.values.abstract import UNSET, UNSET_OR_INHERITED, Opaque
 from haros_ci.values.cells import Slot
@@ -54,6 +54,8 @@ def disturb(walk: Walk, effects: Effects, own: int, found: Mapping[Slot, object]
                     walk.state.put(cell, after)
         else:
             walk.state.put(cell, value)
+    if walk.handed:
+        handed_out.changed(walk)
 
 
 def changed(together: Mapping[Slot, object]) -> Writes:

@@ -8,6 +8,7 @@ from haros_ci.follow import (
     beside,
     braces,
     call_arguments,
+    calling_macros,
     construct,
     copies,
     expressions,
@@ -168,6 +169,8 @@ def library_call(  # noqa: C901 - one branch for each kind of library
         if resolved.name != name or is_smart_pointer(resolved) or resolved.name in STRINGS:
             return construct.create(walk, frame, resolved, args, location)
     made = _made(walk, frame, name, kinds, args, location) or _one(walk, frame, name, args, location)
+    if made is None:
+        calling_macros.note(walk, frame, name, location)
     return made if made is not None else library.unknown_call(walk, frame, name, args)
 
 

@@ -191,6 +191,7 @@ def templates_of(walk: Walk, this: Object, owner: str) -> Mapping[str, syntax.Ar
 
 def overload(walk: Walk, candidates: list[Found], arguments: Given) -> Found:
     """The definition that takes the *arguments* of the call, with its body if it has one; of several bodies none for certain."""
+    candidates = overloads.compiled(walk, candidates)
     fitting = candidates
     if arguments is not None:
         fitting = [item for item in candidates if overloads.takes(item[1], len(arguments))] or candidates

@@ -137,6 +137,13 @@ def _is_other(walk: Walk, item: Found, one: Found) -> bool:
     return not used.isdisjoint(name.rpartition("::")[2] for name in defined)
 
 
+def compiled(walk: Walk, candidates: list[Found]) -> list[Found]:
+    """Without those that stand under an ``#if`` that is not compiled, where others are left."""
+    if not any(function.guards for _, function in candidates):
+        return candidates
+    return [item for item in candidates if not _is_left_out(walk, *item)] or candidates
+
+
 def _is_left_out(walk: Walk, source: Source, function: Function) -> bool:
     """Whether a function stands under an ``#if`` that is not compiled."""
     return any(walk.is_compiled(source.path, line) is False for line, _, _ in function.guards)

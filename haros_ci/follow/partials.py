@@ -93,7 +93,7 @@ def _with_rest(function: Callable, args: tuple[PassedArgument, ...]) -> Value:
         return function
     if function.function.is_static or not function.function.owner or function.frame is not None:
         return partial(function, rest)
-    return bind.bind((call_arguments.PassedArgument(function), *rest))
+    return bind.bound((call_arguments.PassedArgument(function), *rest))
 
 
 def _for_each(function: Value, iterables: list[Value]) -> tuple[Value, ...]:

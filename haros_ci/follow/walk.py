@@ -158,11 +158,9 @@ class Walk:
     joined: int = 0
     #: Why what is made now may not be made at all, where no statement is the condition.
     doubts: list[str] = field(default_factory=list)
-    #: How often what was made already was made on a way that changes its conditions.
-    news: int = 0
+    news: int = 0  #: how often what was made already was made on a way that changes its conditions
     quiet: int = 0
-    #: Where a process of ROS 2 initialises the client library.
-    started: Location | None = None
+    started: Location | None = None  #: where a process of ROS 2 initialises the client library
     #: Where the call stands that a wrapper forwards to an API, and the texts that it is given.
     outer: tuple[Location, frozenset[str]] | None = None
     #: Branches around what is followed that are not taken as things are.
@@ -197,6 +195,8 @@ class Walk:
     setting: int = 0
     #: The names that callbacks and threads assign to, as far as there are any.
     disturbed: set[str] = field(default_factory=set)
+    #: What libraries may change from outside at any time, as they have its address, with the reason (``follow.handed_out``).
+    handed: dict[Cell, Opaque] = field(default_factory=dict)
     #: By identity, what stands for template arguments in look-ups.
     numbers: dict[int, tuple[int, Mapping[str, syntax.Argument]]] = field(default_factory=dict)
     #: Look-ups that depend on the name, the scope and the file only: shared by all nodes with the same files.

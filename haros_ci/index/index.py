@@ -290,7 +290,8 @@ class Index:
         if found is None:
             own = (source, *(self.sources[path] for path in sorted(self.reach(source.path))))
             spaces = [space for unit in own for at, space in unit.program.scopes if at == around and around]
-            found = self.inside[key] = tuple(dict.fromkeys(space.removeprefix("::") for space in spaces))
+            inner = [f"{around}::{space}" for space in spaces if not space.startswith("::")]
+            found = self.inside[key] = tuple(dict.fromkeys((*inner, *(space.removeprefix("::") for space in spaces))))
         return found
 
     def messages(self, source: Source) -> Mapping[str, str]:

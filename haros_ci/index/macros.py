@@ -7,6 +7,7 @@ import re
 from typing import TYPE_CHECKING
 
 from haros_ci import syntax
+from haros_ci.index import compiled
 from haros_ci.regex import regex
 from haros_ci.syntax import Expression
 
@@ -25,6 +26,8 @@ _TOKEN = regex(
 )
 #: What a macro that names a class stands for.
 _QUALIFIED = regex(r"(?:::)?[A-Za-z_]\w*(?:::[A-Za-z_]\w*)+")
+#: What a macro that names a namespace stands for.
+_SPACE = regex(r"(?:::)?[A-Za-z_]\w*(?:::[A-Za-z_]\w*)*")
 _INTEGER = regex(r"(?:0[xX](?P<hex>[0-9a-fA-F]+)|0[bB](?P<bin>[01]+)|(?P<oct>0[0-7]+)|(?P<dec>0|[1-9][0-9]*))[uUlLzZ]*")
 _REAL = regex(r"((?:[0-9]+\.[0-9]*|\.[0-9]+|[0-9]+(?=[eE]))(?:[eE][-+]?[0-9]+)?)(?:[fF]|[lL])?")
 _ESCAPES = {"n": "\n", "t": "\t", "\\": "\\", '"': '"', "'": "'"}
@@ -59,6 +62,15 @@ def class_named(index: Index, name: str, source: Source, files: frozenset[str]) 
     found = index.near(index.macros, name, source, files) if source.separator == "::" else []
     bodies = {body for _, body in found}
     return found[0] if len(bodies) == 1 and _QUALIFIED.fullmatch(found[0][1]) else None
+
+
+def space_named(index: Index, name: str, source: Source, files: frozenset[str]) -> str | None:
+    """The namespace that a macro stands for (``#define nav nav_msgs::msg``); None otherwise, or where it is not known which one."""
+    if name not in index.macros or source.separator != "::":
+        return None
+    bodies = {body for _, body in index.near(index.macros, name, source, files)}
+    body = bodies.pop() if len(bodies) == 1 else compiled.value_of(index, name, source.path, files)
+    return body if body is not None and body != name and _SPACE.fullmatch(body) else None
 
 
 def _tokens(text: str) -> list[tuple[str, str]]:

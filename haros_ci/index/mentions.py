@@ -61,6 +61,8 @@ CALLING_NOTHING = frozenset(
 )
 #: Python's comprehensions, as the extraction writes them.
 TURNS = (syntax.Name("[for]"), syntax.Name("[for in]"))
+#: What wraps a reference to a variable.
+REFERENCES = frozenset(("std::ref", "boost::ref", "ref", "std::addressof", "boost::addressof"))
 #: What ``auto`` may take a function from.
 GIVING = (syntax.Lambda, syntax.Name, syntax.Address, syntax.Call, syntax.Conditional, syntax.Subscript)
 
@@ -272,7 +274,7 @@ def callable_variables(block: Part, names: set[str], source: Source, kinds: froz
 
 
 def targets(item: Part, found: set[str]) -> None:
-    """The last names of all that is assigned to, read into or built up in a block."""
+    """The last names of all that is assigned to, read into or built up in a block, and of what is given away by its address."""
     for node in everything(item):
         target: syntax.Expression | None = None
         if type(node) is syntax.Assignment:
@@ -281,6 +283,10 @@ def targets(item: Part, found: set[str]) -> None:
             target = node.operands[1] if node.operator == ">>" else node.operands[0]
         elif type(node) is syntax.Call and type(node.callee) is syntax.Member:
             target = node.callee.object if node.callee.name not in READING else None
+        elif type(node) is syntax.Call and type(node.callee) is syntax.Name and node.callee.name in REFERENCES:
+            target = node.arguments[0] if len(node.arguments) == 1 else None
+        elif type(node) is syntax.Address and not (type(node.value) is syntax.Name and "::" in node.value.name):
+            target = node.value
         while target is not None:
             if type(target) is syntax.Name or type(target) is syntax.Member:
                 found.add(last(target.name))

@@ -9,7 +9,7 @@ from haros_ci import syntax
 from haros_ci.index import open_names
 from haros_ci.index.common_messages import COMMON
 from haros_ci.index.index import Index, Source, pointed_class
-from haros_ci.index.macros import class_named
+from haros_ci.index.macros import class_named, space_named
 from haros_ci.syntax import Argument, Type
 from haros_ci.syntax.codec import plain
 
@@ -153,6 +153,9 @@ def resolve_type(  # noqa: C901 - the order of the rules of name lookup
     if not colons and hidden is None and (macro := class_named(index, name, source, files)) is not None:
         target = resolve_type(index, syntax.Type(macro[1]), scope, macro[0], files, {}, depth + 1)
         return target.marked(marks)
+    if colons and hidden is None and (space := space_named(index, head, source, files)) is not None:
+        target = syntax.Type(f"{space}::{tail}", resolved, marks)
+        return resolve_type(index, target, scope, source, files, {}, depth + 1)
     if colons:
         for candidate in index.scopes(head, scope, source):
             for where, alias in index.near(index.aliases, candidate, source, files)[:1]:

@@ -47,7 +47,7 @@ def follow(tree: PathTree, package: Package) -> CMakeState:
     path = "CMakeLists.txt" if package.path == "." else f"{package.path}/CMakeLists.txt"
     state.seen_files.add(path)
     if package.ros is not None:
-        state.environment["ROS_VERSION"] = str(package.ros)
+        state.environment["ROS_VERSION"] = state.cache["ROS_VERSION"] = str(package.ros)
     try:
         run_file(state, path)
     except CMakeBudgetExhausted:

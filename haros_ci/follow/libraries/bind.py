@@ -5,14 +5,23 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from haros_ci.follow import handed_out
+from haros_ci.follow.frames import Frame
+from haros_ci.follow.walk import Walk
 from haros_ci.values.abstract import Callable, Library, Object, Pointer, Value
 
 if TYPE_CHECKING:
     from haros_ci.follow.call_arguments import PassedArgument
 
 
-def bind(args: tuple[PassedArgument, ...]) -> Value:
+def bind(walk: Walk, frame: Frame, name: str, args: tuple[PassedArgument, ...]) -> Value:
     """``bind(&C::m, this, _1, x)``: what is bound keeps its place, placeholders are open."""
+    handed_out.note(walk, frame, name, args)
+    return bound(args)
+
+
+def bound(args: tuple[PassedArgument, ...]) -> Value:
+    """A function with the arguments behind it."""
     function = args[0].value
     if isinstance(function, Pointer):
         function = function.cell.value
@@ -27,11 +36,11 @@ def bind(args: tuple[PassedArgument, ...]) -> Value:
             rest = rest[1:]
         elif len(rest) > len(function.function.parameters):
             rest = rest[1:]
-    bound: list[Value | None] = [None if _is_placeholder(item.value) else item.value for item in rest]
-    while bound and bound[-1] is None:
-        bound.pop()
+    held: list[Value | None] = [None if _is_placeholder(item.value) else item.value for item in rest]
+    while held and held[-1] is None:
+        held.pop()
     templates = this.templates if this is not None else function.templates
-    return Callable(function.source, function.function, this, tuple(bound), function.frame, templates)
+    return Callable(function.source, function.function, this, tuple(held), function.frame, templates)
 
 
 def _is_placeholder(value: Value) -> bool:

@@ -129,7 +129,7 @@ def function(  # noqa: C901 - one branch for each modelled function
     if name in NUMBERS and len(args) <= 1:  # std::size_t{1}, int(x)
         return conversions.converted(args[0].value if args else Known(0), Type(name))
     if name in BINDERS and args:
-        return uncalled.keep(walk, library_bind.bind(args))
+        return uncalled.keep(walk, library_bind.bind(walk, frame, name, args))
     if name.startswith(LIMITS) and len(targs) == 1 and type(targs[0]) is syntax.Type and not args:
         return library_numbers.limit(name.removeprefix(LIMITS), walk.type_in(targs[0], frame))
     if name.endswith("::directory_iterator") and args:

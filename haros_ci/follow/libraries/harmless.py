@@ -42,7 +42,7 @@ MAKERS = (
 )
 OUTPUT = (
     "printf fprintf vprintf puts fputs perror exit abort atexit signal sleep usleep system getenv assert getpid "
-    "static_assert sizeof time fopen fclose remove access stat"
+    "static_assert sizeof typeid alignof time fopen fclose remove access stat"
 )
 CHECKS = "CHECK CHECK_EQ CHECK_NE CHECK_LE CHECK_LT CHECK_GE CHECK_GT CHECK_NEAR CHECK_NOTNULL CHECK_STREQ CHECK_STRNE"
 LOGS = "LOG LOG_IF LOG_EVERY_N LOG_FIRST_N LOG_IF_EVERY_N VLOG VLOG_IF VLOG_EVERY_N VLOG_IS_ON PLOG PCHECK"

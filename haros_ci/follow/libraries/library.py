@@ -6,7 +6,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from haros_ci import syntax
-from haros_ci.follow import beside, callbacks, methods, thrown, unknown_calls
+from haros_ci.follow import beside, callbacks, handed_out, methods, thrown, unknown_calls
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import containers, given_away, harmless, optionals
 from haros_ci.follow.libraries import cpp as library_cpp
@@ -99,6 +99,8 @@ def function(
     """A modelled function; None if there is no model of it."""
     if frame.source.program.language == "python":
         return library_python.function(walk, frame, name, args)
+    if name in handed_out.REFERENCES and args:
+        return handed_out.referred(walk, frame, name, args[0])
     return library_cpp.function(walk, frame, name, args, targs, location)
 
 
@@ -122,6 +124,7 @@ def unknown_call(
     beside.note(walk, *(argument.value for argument in args))
     unknown_calls.called(walk, frame, name, args)
     held = given_away.among(frame, args)  # before what is given is forgotten
+    handed_out.note(walk, frame, name, args)
     unknown_calls.forget_passed(walk, frame, name, args)
     if not harmless.is_harmless(name, is_python):
         ros2_nodes.handed(walk, name, (argument.value for argument in args))

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from haros_ci import syntax
-from haros_ci.follow import call_arguments, callbacks, copies, methods, partials
+from haros_ci.follow import call_arguments, callbacks, copies, handed_out, methods, partials
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import library
 from haros_ci.follow.ros import api_rows, outside_nodes, ros2_nodes
@@ -64,6 +64,7 @@ def library_object(
     this = Object(kind.name, kind.arguments, location=location)
     construct_library(walk, frame, this, kind, args, location)
     _hidden(walk, frame, kind, args, location)
+    handed_out.note(walk, frame, kind.name, args, kind.name not in walk.rows)
     outside_nodes.given(walk, frame, kind, this, location)
     if kind.name not in walk.rows:
         ros2_nodes.handed(walk, kind.name, (argument.value for argument in args))

@@ -5,6 +5,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from haros_ci.follow.ros.qos_profiles import PROFILES
+from haros_ci.regex import regex
 from haros_ci.values.abstract import NONE, Callable, ClassValue, Known, Library, Mapped, Module, Object, Sequence, Value
 
 if TYPE_CHECKING:
@@ -25,6 +27,8 @@ KINDS = {
 #: The types that ``isinstance`` tests can distinguish.
 TOLD = frozenset(KINDS) | {"basestring", "object"}
 
+#: The modules of a package's messages, services and actions.
+INSIDE = regex(r"\w\.(?:msg|srv|action)\.\w")
 #: The kinds of values that are objects, none of which is ``None``.
 OBJECTS = frozenset((Object, Sequence, Mapped, Callable, ClassValue, Module))
 
@@ -50,9 +54,20 @@ def same(left: Value, right: Value) -> bool | None:
     """Whether two built-in types are the same one, or an object is ``None``, which it is not; None if it is about nothing of this."""
     if (left == NONE or right == NONE) and {left.__class__, right.__class__} & OBJECTS:
         return False
+    if (left == NONE and _is_there(right)) or (right == NONE and _is_there(left)):
+        return False
     if isinstance(left, Library) and isinstance(right, Library) and {left.name, right.name} <= KINDS.keys():
         return left.name == right.name
     return None
+
+
+def _is_there(value: Value) -> bool:
+    """Whether a name of a library is known to be no ``None``: a type, a message's class, a quality of service."""
+    if not isinstance(value, Library) or value.this is not None:
+        return False
+    last = value.name.rpartition(".")[2]
+    is_profile = last.startswith("qos_profile_") and f"rmw_{last}" in PROFILES
+    return value.name in KINDS or is_profile or (INSIDE.search(value.name) is not None and last[:1].isupper())
 
 
 def _kinds(value: Value) -> tuple[str, ...]:

@@ -209,7 +209,7 @@ def _type(applied: Applied, entry: Entry, unknowns: Unknowns, default: Value | N
             result = parameter_type(found.type)
         elif isinstance(found, Known):
             result = parameter_type(syntax.Type(str(found.value))) or str(found.value)
-        if result is None and default is not None:
+        if result is None and default is not None and not isinstance(found, TypeValue):
             known, data = data_of(default)
             result = data_type(data) if known else None
         if result is None and ("type" in entry.values or "value" in entry.values):

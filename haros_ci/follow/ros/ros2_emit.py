@@ -12,7 +12,7 @@ from haros_ci.follow.ros import forwarding, paces, qos_calls, qos_overrides, ros
 from haros_ci.follow.ros.possible_names import ONE_OF_NAMES, possible_names
 from haros_ci.graph.names import UNKNOWN, pattern
 from haros_ci.graph.ros2_process import GIVEN, NO_DEFAULT, NO_NAME, RosNode
-from haros_ci.index.ros_types import ros2_data_type, ros2_parameter_type
+from haros_ci.index.ros_types import is_hidden, ros2_data_type, ros2_parameter_type
 from haros_ci.model.api import Entry
 from haros_ci.model.architecture import KINDS
 from haros_ci.model.location import Location
@@ -152,9 +152,7 @@ def _parameter(  # noqa: C901 - one branch for each way to declare a parameter
     default = in_type(applied, entry, default) if default is not None else None
     word = ros2_selectors.type_word(default)
     if word is not None:  # a type in place of a default value
-        default, kind_told = None, word
-    else:
-        kind_told = None
+        default = None
     if default is not None and default != NONE:
         known, data = data_of(default)
         if not known:
@@ -162,7 +160,7 @@ def _parameter(  # noqa: C901 - one branch for each way to declare a parameter
             message = reason.reason if reason else "it is not plain data"
             unknowns.append(("value", message, (reason and reason.location) or applied.location))
             data = None
-    declared = kind_told
+    declared = word
     if declared is not None:
         pass
     elif isinstance(kind, TypeValue):
@@ -171,11 +169,12 @@ def _parameter(  # noqa: C901 - one branch for each way to declare a parameter
         declared = ros2_selectors.type_word(kind)
     elif isinstance(kind, Known):
         declared = ros2_parameter_type(syntax.Type(str(kind.value))) or str(kind.value)
-    if declared is None and default is not None:
+    is_told_not = isinstance(kind, TypeValue) and is_hidden(kind.type)
+    if declared is None and default is not None and not is_told_not:
         declared = ros2_data_type(data) if data is not None else ros2_parameter_type(conversions.value_type(default))
     is_told = why is None or ros2_parameters.is_telling(text)
     value, effective = _effective(applied, node, text if is_told else None, default, entry.kind)
-    if declared is None and entry.kind == "parameters":
+    if declared is None and entry.kind == "parameters" and not is_told_not:
         declared = ros2_data_type(value.held if isinstance(value, Given) else effective)
     if declared is None and ("type" in entry.values or "value" in entry.values):
         unknowns.append(("type", "the type of the parameter is not known", applied.location))

@@ -13,7 +13,7 @@ from haros_ci.follow.frames import Frame
 from haros_ci.follow.ros import name_selectors, ros2_listed, ros2_nodes, ros2_selectors
 from haros_ci.follow.ros.own_names import own_names
 from haros_ci.follow.walk import Walk
-from haros_ci.index.ros_types import parameter_type
+from haros_ci.index.ros_types import is_hidden, parameter_type
 from haros_ci.model.api import Entry, Row, Template
 from haros_ci.model.location import Location
 from haros_ci.records import dataclass
@@ -219,7 +219,7 @@ def select_value(applied: Applied, selector: str) -> Found:  # noqa: C901 - one 
     if function == "expand":
         return name_selectors.expanded(applied, *inside.split(","))
     if function == "typeof":
-        return next((kind for kind in (_type_of(applied, part) for part in where.split("|")) if kind is not None), None)
+        return _first_type(applied, where.split("|"))
     found = next((f for f in (given(applied.args, part) for part in where.split("|")) if f is not None), None)
     if found is None:
         return None
@@ -232,6 +232,45 @@ def select_value(applied: Applied, selector: str) -> Found:  # noqa: C901 - one 
         return TypeValue(syntax.Type(value.definition.name))
     kind = found.type or conversions.value_type(found.value)
     return TypeValue(kind) if kind is not None else None
+
+
+def _first_type(applied: Applied, selectors: list[str]) -> TypeValue | None:
+    """The first type that parameters have among those of *selectors*; an explicit template argument decides, whatever it is."""
+    other: TypeValue | None = None
+    for selector in selectors:
+        found = select_value(applied, selector) if selector[0] == "<" else None
+        if isinstance(found, TypeValue) and is_hidden(found.type) and not _is_open(applied, found.type):
+            return found
+        hidden = _hidden(applied, selector)
+        if hidden is None and (kind := _type_of(applied, selector)) is not None:
+            return kind
+        other = other or hidden
+    return other
+
+
+def _hidden(applied: Applied, selector: str) -> TypeValue | None:
+    """The type of a variable of C++ that stands for one that nothing tells (``Scalar x = 3``): what it holds does not, either."""
+    argument = given(applied.args, selector) if selector.isdigit() else None
+    kind = argument.cell.type if argument is not None and argument.cell is not None else None
+    if (
+        kind is None
+        or kind.arguments
+        or "*" in kind.marks
+        or not is_hidden(kind)
+        or applied.frame.source.separator == "."
+    ):
+        return None
+    index = applied.walk.index
+    is_known = kind.name in index.classes or kind.name in index.aliases or kind.name in index.library
+    return None if is_known or _is_open(applied, kind) else TypeValue(kind)
+
+
+def _is_open(applied: Applied, kind: syntax.Type) -> bool:
+    """Whether a type is, or is made of, a template parameter of the function around the call: who calls it is not seen."""
+    function = applied.frame.function
+    names = {*applied.frame.templates, *(function.templates if function is not None else ())}
+    inner = kind.of(0)
+    return kind.name in names or (inner is not None and inner.name in names)
 
 
 def _type_of(applied: Applied, selector: str) -> TypeValue | None:
