@@ -96,8 +96,8 @@ def _is_on_purpose(steps: Sequence[Step], code: Callable[[str], str]) -> bool:
 
 def _names(message: str, steps: Sequence[Step]) -> list[str]:
     """The names in the second of two conditions, as cppcheck repeats it."""
-    said = _INNER.search(steps[0][2]) or _QUOTED.search(message)
-    return [name for name in _NAME.findall(said[1]) if name not in _WORDS] if said is not None else []
+    shown = _INNER.search(steps[0][2]) or _QUOTED.search(message)
+    return [name for name in _NAME.findall(shown[1]) if name not in _WORDS] if shown is not None else []
 
 
 def _is_set_between(names: Sequence[str], first: int, second: int, whole: str) -> bool:

@@ -147,3 +147,23 @@ def test_what_pylint_says_there(rule: str, kind: str, is_left_out: bool) -> None
     report = {"symbol": rule, "type": kind, "line": 3, "column": 4, "message": ""}
     assert _is_doubted(report, "a.py", text, Doubting()) is is_left_out
     assert not _is_doubted({**report, "line": 6, "column": 0}, "a.py", text, Doubting())
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("if sys.version_info[0] < 3:\n    HERE\nelse:\n    a\n", True),
+        ("if sys.version_info[0] == 2:\n    HERE\n", True),
+        ("if sys.version_info < (3, 0):\n    HERE\n", True),
+        ("if sys.version_info.major >= 3:\n    a\nelse:\n    HERE\n", True),
+        ("if sys.version_info[0] < 3:\n    a\nelse:\n    HERE\n", False),
+        ("if sys.version_info >= (3, 0):\n    HERE\n", False),
+        ("if sys.version_info < (3, 10):\n    HERE\nelse:\n    a\n", False),
+        ("if sys.version_info < least:\n    HERE\n", False),
+        ("if version < 3:\n    HERE\n", False),
+        ("if TYPE_CHECKING and sys.version_info >= (3, 0):\n    HERE\n", False),
+        ("if sys.version_info[0] < 3:\n    a\nHERE\n", False),
+    ],
+)
+def test_what_python_2_alone_runs(text: str, expected: bool) -> None:
+    assert is_dead(text.replace("HERE", "here"), *place(text)) is expected
