@@ -145,17 +145,33 @@ def _generates_nothing(package: ProjectPackage) -> bool:
 
 def _alone(interface: Interface, package: ProjectPackage, use: Location) -> Finding:
     """A definition in a package that generates none."""
+    elsewhere, base = _elsewhere(interface, package, use), interface.name.partition("/")[2]
     how = "add_message_files() and generate_messages()" if package.ros == 1 else f"{_NEW}()"
     return Finding(
         at=Location(interface.path, 1),
         message=(
             f"package {package.name} generates no interfaces, but {use.path} uses {interface.name}: it does not build or "
-            f"start; call {how}"
+            f"start; {f'use {elsewhere}/{base}, which {elsewhere} generates' if elsewhere else f'call {how}'}"
         ),
         about=(package.name, interface.name),
         related=((use, "it is used here"),),
         level=Level.ERROR,
     )
+
+
+def _elsewhere(interface: Interface, package: ProjectPackage, use: Location) -> str:
+    """A package with an interface of this name that the package at *use* depends on: the definition has moved there; "" if there is none, or several."""
+    project, base = package.project, interface.name.partition("/")[2]
+    owner = next((file.package for file in project.workspace.files if file.path == use.path), None)
+    user = project.package(owner) if owner is not None else None
+    found = []
+    for name in sorted((user.declared if user is not None else frozenset()) - {package.name}):
+        other = project.package(name)
+        made = other.build.interfaces if other is not None else ()
+        is_made = any(one.is_generated and (one.name, one.kind) == (f"{name}/{base}", interface.kind) for one in made)
+        if is_made and other is not None and other.commands(*_OLD, _NEW):
+            found.append(name)
+    return found[0] if len(found) == 1 else ""
 
 
 def _insertion(interface: Interface, package: ProjectPackage) -> Fix | None:
