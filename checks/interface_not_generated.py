@@ -51,7 +51,7 @@ def check(project: Project) -> Iterator[Finding]:
                     continue
                 if not _is_mentioned(interface, package, even_in_comments=interface.name not in used):
                     yield _left_out(interface, package, commands, used.get(interface.name))
-            elif interface.name in used:
+            elif interface.name in used and not _is_of_left_over(used[interface.name], package, used):
                 yield _alone(interface, package, used[interface.name])
 
 
@@ -70,6 +70,11 @@ def _is_of_an_action(interface: Interface, package: ProjectPackage) -> bool:
         other.kind == "action" and other.is_generated and interface.name in {f"{other.name}{end}" for end in _OF_ACTION}
         for other in package.build.interfaces
     )
+
+
+def _is_of_left_over(use: Location, package: ProjectPackage, used: Mapping[str, Location]) -> bool:
+    """Whether what uses it is another definition of the *package*, which generates none, and that nothing uses."""
+    return any(other.path == use.path and other.name not in used for other in package.build.interfaces)
 
 
 def _is_kept(interface: Interface, package: ProjectPackage) -> bool:

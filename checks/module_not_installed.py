@@ -46,10 +46,12 @@ def _of(package: ProjectPackage, sources: Sources) -> Iterator[Finding]:
         module = path.rpartition("/")[2].removesuffix(".py")
         where = next(install.destination for install in installs if install.path == script)
         dotted = _dotted(path, package)
+        place = f"install {path} to {where or 'the same directory'}, too"
+        is_shadowed = dotted.partition(".")[0] == script.rpartition("/")[2].removesuffix(".py")  # it finds itself first
         remedy = (
-            f"import it as {dotted}, which setup.py installs"
+            (place if is_shadowed else f"import it as {dotted}, which setup.py installs")
             if dotted
-            else f"install {path} to {where or 'the same directory'}, too, or make it a module of a Python package (catkin_python_setup)"
+            else f"{place}, or make it a module of a Python package (catkin_python_setup)"
         )
         yield Finding(
             at=location,

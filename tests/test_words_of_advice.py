@@ -139,6 +139,33 @@ def test_an_interface_that_has_moved(depends: str, generates: str, words: str, t
     assert [words in message for message in found] == [True]
 
 
+def test_a_definition_that_only_another_left_over_uses(tmp_path: Path) -> None:
+    script = "#!/usr/bin/env python\nimport rospy\nfrom demo.msg import Pose\nrospy.init_node('n')\nrospy.Publisher('p', Pose)\n"
+    files = {
+        "package.xml": MANIFEST.format("demo", ROS1),
+        "CMakeLists.txt": CATKIN.format("demo", ""),
+        "msg/Status.msg": "int32 a\n",
+        "msg/Pose.msg": "demo/Status status\n",
+    }
+    assert messages("interface-not-generated", files, tmp_path / "a") == []
+    found = messages("interface-not-generated", {**files, "scripts/a.py": script}, tmp_path / "b")
+    assert len(found) == 2
+
+
+def test_a_script_that_is_called_like_its_package(tmp_path: Path) -> None:
+    setup = "from distutils.core import setup\nfrom catkin_pkg.python_setup import generate_distutils_setup\nsetup(**generate_distutils_setup(packages=['demo'], package_dir={'': 'src'}))\n"
+    files = {
+        "package.xml": MANIFEST.format("demo", ROS1),
+        "CMakeLists.txt": CATKIN.format("demo", INSTALL.replace("node.py", "demo.py")),
+        "setup.py": setup,
+        "src/demo/__init__.py": "",
+        "src/demo/demo.py": SCRIPT,
+        "src/demo/tools.py": "def add():\n    pass\n",
+    }
+    (message,) = messages("module-not-installed", files, tmp_path)
+    assert message.endswith("; install src/demo/tools.py to lib/demo, too")
+
+
 ACTION = """#include <demo/action/dock.hpp>
 #include <rclcpp_action/rclcpp_action.hpp>
 
