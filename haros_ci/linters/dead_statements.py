@@ -30,9 +30,17 @@ def is_dead(text: str, line: int, column: int | None) -> bool:
     """Whether what stands at *line*, counted from 1, and *column*, from 0 in characters, of *text* is never run.
 
     It stands behind a ``return``, ``raise``, ``continue`` or ``break``, an ``exit()`` or a loop without an end of the same block, in the ``if`` or ``while`` of a constant that is
-    false, in the ``else`` of an ``if`` of one that is true, or behind a constant that decides a condition (``True or a``). So it is with what Python 2 alone runs (``if sys.version_info[0] < 3``). Without a *column* all of the line does. A file that Python cannot parse has no such place.
+    false, in the ``else`` of an ``if`` of one that is true, or behind a constant that decides a condition (``True or a``). Without a *column* all of the line does. A file that Python cannot parse has no such place.
     """
-    found = _dead(text)
+    return _is_in(_dead(text), text, line, column)
+
+
+def is_for_python2(text: str, line: int, column: int | None) -> bool:
+    """Whether Python 2 alone runs what stands there: the branch of ``if sys.version_info[0] < 3``. Names that are not there may be wrong in it all the same."""
+    return "version_info" in text and _is_in(_for_python2(text), text, line, column)
+
+
+def _is_in(found: Sequence[_Range], text: str, line: int, column: int | None) -> bool:
     if not found:
         return False
     lines = text.split("\n")
@@ -43,13 +51,22 @@ def is_dead(text: str, line: int, column: int | None) -> bool:
 
 
 @lru_cache(maxsize=8)
+def _for_python2(text: str) -> tuple[_Range, ...]:
+    return tuple(
+        (_start(part[0]), (part[-1].end_lineno or 0, part[-1].end_col_offset or 0))
+        for node in nodes(text)
+        for part in _of_python2(node)
+    )
+
+
+@lru_cache(maxsize=8)
 def _dead(text: str) -> tuple[_Range, ...]:
     every = nodes(text)
     exits = frozenset() if is_bound(every, EXITING) else EXITS
     return tuple(
         (_start(part[0]), (part[-1].end_lineno or 0, part[-1].end_col_offset or 0))
         for node in every
-        for part in (*dead_parts(node, exits), *_of_python2(node))
+        for part in dead_parts(node, exits)
     )
 
 
