@@ -23,8 +23,8 @@ _QUOTED = regex(r"'([^']{1,300})'")
 _INNER = regex(r"condition: (.{1,300})")
 _LAMBDA = regex(r"\[\s*(?:&|=|this\b)[^\[\];{}]{0,200}\]\s*(?:\([^(){};]{0,400}\)\s*)?[^;{}()]{0,60}\{")
 #: A division by a zero that stands there: ``1/0``, ``x % 0``, ``1.0 / 0.0f``.
-_BY_ZERO = regex(r"(?:/=?|%=?)\s*\(?\s*(?:0[xX])?0+(?:\.0*)?[uUlLfF]{0,3}(?![\w.])")
-_DIVISOR = regex(r"(?:/=?|%=?)\s*\(?\s*([A-Za-z_]\w{0,100})\b(?!\s*[(.\[]|\s*->)")
+_BY_ZERO = regex(r"(?:/=?|%=?)\s*(?:\(\s*)?(?:0[xX])?0+(?:\.0*)?[uUlLfF]{0,3}(?![\w.])")
+_DIVISOR = regex(r"(?:/=?|%=?)\s*(?:\(\s*)?([A-Za-z_]\w{0,100})\b(?!\s*[(.\[]|\s*->)")
 #: Where the result goes if a division is done for its own sake.
 _TRIAL = regex(r"\bvolatile\b[^;=()]{1,200}=(?!=)")
 #: Lines between two conditions, and of the body of a lambda, that are looked at.
