@@ -66,19 +66,26 @@ def check(project: Project) -> Iterator[Finding]:
         if ways:
             yield Finding(
                 at=Location(routine.path, function.line, function.column),
-                message=f"{routine.title} executes an action goal, but {_ends(ways)} "
+                message=f"{routine.title} executes an action goal, but {_ends(ways, (function.line, function.column))} "
                 f"the goal: {why}; set the final state on every path",
                 about=(routine.title,),
                 level=Level.NOTE if is_ended or _is_meant(project, routine, ways) else None,
                 related=tuple(
-                    (Location(routine.path, *way), "this path returns without a final state") for way in ways
+                    (Location(routine.path, *way), "this path returns without a final state")
+                    for way in ways
+                    if way != (function.line, function.column)
                 ),
             )
 
 
-def _ends(ways: Iterable[tuple[int, int]]) -> str:
-    """What the paths leave undone, and where they end, by their lines."""
-    lines = [str(line) for line in dict.fromkeys(line for line, _ in ways)]
+def _ends(ways: Iterable[tuple[int, int]], begin: tuple[int, int]) -> str:
+    """What the paths leave undone, and where they end, by their lines; *begin* stands for the end of the function, whose line is not known."""
+    lines = [str(line) for line in dict.fromkeys(way[0] for way in ways if way != begin)]
+    if begin in ways:
+        if not lines:
+            return "the path that reaches the end of the function neither succeeds nor aborts nor cancels"
+        in_lines = f"in line {lines[0]}" if len(lines) == 1 else f"in lines {listed(lines)}"
+        return f"the paths that end {in_lines} and at the end of the function neither succeed nor abort nor cancel"
     if len(lines) == 1:
         return f"the path that ends in line {lines[0]} neither succeeds nor aborts nor cancels"
     return f"the paths that end in lines {listed(lines)} neither succeed nor abort nor cancel"

@@ -18,6 +18,8 @@ _PARTS = {
 _MESSAGES = ("generate_messages", "generate_messages_cpp", "gencpp", "genmsg", "EXPORTED_TARGETS")
 #: Names that are meant for targets of generated code: ``pkg_messages_cpp``, ``pkg_gencpp``.
 _LIKE_GENERATED = regex(r"_(?:generate\w*|gen\w+|messages?(?:_cpp)?|msgs?_cpp|cfg|EXPORTED_TARGETS)$")
+#: The languages that targets of generated code may be for, which make no headers (genlisp, geneus, gennodejs, genpy).
+_OTHER_LANGUAGES = {"eus": "EusLisp", "lisp": "Lisp", "nodejs": "JavaScript", "py": "Python"}
 _CONFIGS = ("gencfg", "EXPORTED_TARGETS")
 
 
@@ -161,6 +163,13 @@ def _awaited_for_nothing(package: ProjectPackage, target: Target) -> tuple[str, 
     return tuple(word for word in words if _LIKE_GENERATED.search(word) is not None and "$" not in word)
 
 
+def _of_another_language(package: ProjectPackage, word: str) -> str:
+    """The language whose code of the package's messages the target *word* makes; "" for any other."""
+    name = word.removeprefix(f"{package.name}_")
+    made = re.fullmatch(r"(?:generate_messages_|gen)(\w+)", name) if name != word else None
+    return _OTHER_LANGUAGES.get(made[1], "") if made is not None and package.commands("generate_messages") else ""
+
+
 def _generator(package: ProjectPackage) -> str:
     """The last command of the package that makes targets of generated code."""
     makers = package.commands("generate_messages", "generate_dynamic_reconfigure_options")
@@ -177,7 +186,14 @@ def _finding(package: ProjectPackage, target: Target, uses: Mapping[str, Locatio
     more = f" and {len(uses) - 1} more, which are" if len(uses) > 1 else ", which is"
     name = target.name
     wrong = _awaited_for_nothing(package, target) if package.ros == 1 else ()
-    if wrong:
+    languages = [_of_another_language(package, word) for word in wrong]
+    if wrong and all(languages):
+        what = f"makes the code in {languages[0]}" if len(wrong) == 1 else f"make the code in {listed(languages)}"
+        then = f"{listed(wrong)} {what} and no headers of C++, so that a clean parallel build may compile it before the header exists"
+        remedy = f"write ${{${{PROJECT_NAME}}_EXPORTED_TARGETS}} instead of {listed(wrong)}"
+        fix = None
+    elif wrong:
+        wrong = tuple(word for word, language in zip(wrong, languages, strict=True) if not language)
         them = "a name that no target has" if len(wrong) == 1 else "names that no target has"
         then = f"add_dependencies({name} {' '.join(wrong)}) has {them}, so that a clean parallel build may compile it before the header exists"
         remedy = f"write ${{${{PROJECT_NAME}}_EXPORTED_TARGETS}} instead of {listed(wrong)}"

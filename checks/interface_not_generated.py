@@ -51,7 +51,7 @@ def check(project: Project) -> Iterator[Finding]:
                     continue
                 if not _is_mentioned(interface, package, even_in_comments=interface.name not in used):
                     yield _left_out(interface, package, commands, used.get(interface.name))
-            elif interface.name in used:
+            elif interface.name in used and not _is_of_left_over(used[interface.name], package, used):
                 yield _alone(interface, package, used[interface.name])
 
 
@@ -70,6 +70,11 @@ def _is_of_an_action(interface: Interface, package: ProjectPackage) -> bool:
         other.kind == "action" and other.is_generated and interface.name in {f"{other.name}{end}" for end in _OF_ACTION}
         for other in package.build.interfaces
     )
+
+
+def _is_of_left_over(use: Location, package: ProjectPackage, used: Mapping[str, Location]) -> bool:
+    """Whether what uses it is another definition of the *package*, which generates none, and that nothing uses."""
+    return any(other.path == use.path and other.name not in used for other in package.build.interfaces)
 
 
 def _is_kept(interface: Interface, package: ProjectPackage) -> bool:
@@ -145,17 +150,33 @@ def _generates_nothing(package: ProjectPackage) -> bool:
 
 def _alone(interface: Interface, package: ProjectPackage, use: Location) -> Finding:
     """A definition in a package that generates none."""
+    elsewhere, base = _elsewhere(interface, package, use), interface.name.partition("/")[2]
     how = "add_message_files() and generate_messages()" if package.ros == 1 else f"{_NEW}()"
     return Finding(
         at=Location(interface.path, 1),
         message=(
             f"package {package.name} generates no interfaces, but {use.path} uses {interface.name}: it does not build or "
-            f"start; call {how}"
+            f"start; {f'use {elsewhere}/{base}, which {elsewhere} generates' if elsewhere else f'call {how}'}"
         ),
         about=(package.name, interface.name),
         related=((use, "it is used here"),),
         level=Level.ERROR,
     )
+
+
+def _elsewhere(interface: Interface, package: ProjectPackage, use: Location) -> str:
+    """A package with an interface of this name that the package at *use* depends on: the definition has moved there; "" if there is none, or several."""
+    project, base = package.project, interface.name.partition("/")[2]
+    owner = next((file.package for file in project.workspace.files if file.path == use.path), None)
+    user = project.package(owner) if owner is not None else None
+    found = []
+    for name in sorted((user.declared if user is not None else frozenset()) - {package.name}):
+        other = project.package(name)
+        made = other.build.interfaces if other is not None else ()
+        is_made = any(one.is_generated and (one.name, one.kind) == (f"{name}/{base}", interface.kind) for one in made)
+        if is_made and other is not None and other.commands(*_OLD, _NEW):
+            found.append(name)
+    return found[0] if len(found) == 1 else ""
 
 
 def _insertion(interface: Interface, package: ProjectPackage) -> Fix | None:

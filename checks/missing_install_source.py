@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import posixpath
 from collections.abc import Iterator, Mapping
+from difflib import get_close_matches
 
 from haros_ci.api import Check, Finding, Level, Project, ProjectPackage, regex
 from haros_ci.api.launch import similar_files
@@ -20,6 +21,23 @@ _ENDS = regex(
 _MAKERS = regex(
     r"externalproject_|fetchcontent_|catkin_download|ament_vendor|execute_process|exec_program|git_submodule|vcs|cpm|.*download"
 )
+#: Directories that are called in several ways.
+_SAME = tuple(
+    frozenset(words.split())
+    for words in (
+        "config configs cfg cfgs conf configuration configurations param params parameter parameters",
+        "launch launches launchs launchfiles launch_files",
+        "mesh meshes",
+        "model models",
+        "script scripts",
+        "urdf urdfs xacro description robot_description robots",
+        "world worlds",
+        "map maps",
+        "rviz rviz_config rviz_cfg rviz2",
+    )
+)
+#: Directories that are compared with one name.
+_MOST = 300
 _QUIET = frozenset(("install", "catkin_install_python", "ament_auto_package", "autoware_ament_auto_package"))
 _QUIET |= {"cs_install_scripts", "target_include_directories", "include_directories", "find_package", "project"}
 
@@ -75,10 +93,13 @@ def _finding(
     only = exported.get(posixpath.splitext(path)[1])
     ended = [f"{prefix}{name}" for name in sorted(beside) if posixpath.splitext(name)[0] == posixpath.basename(path)]
     near = [only] if only else ended or similar_files(path, sorted(f"{prefix}{name}" for name in beside), package.name)
+    alike = _directory_like(path, package) if not near and not posixpath.splitext(path)[1] else ""
     if "*" in word or "?" in word:
         hint = "install() does not expand patterns; list the files with file(GLOB), or install the directory"
     elif near:
         hint = f"did you mean {near[0].removeprefix(prefix)}?"
+    elif alike:
+        hint = f"did you mean {alike}?"
     elif posixpath.splitext(path)[1]:
         hint = "remove the name, or add the file"
     else:
@@ -89,6 +110,19 @@ def _finding(
         about=(package.name, shown),
         apart=(shown,),
     )
+
+
+def _directory_like(path: str, package: ProjectPackage) -> str:
+    """The directory beside *path* that has another name for the same, or nearly its name, and that nothing installs; "" if none or several."""
+    folder, _, base = path.rpartition("/")
+    prefix = f"{folder}/" if folder else ""
+    names = (name[len(prefix) :] for name in package.project.workspace.names if name.startswith(prefix))
+    there = {name.partition("/")[0] for name in names if "/" in name}
+    named = {command.place(word) for command in package.build.commands for word in command.arguments}
+    free = sorted(name for name in there if f"{prefix}{name}" not in named and not name.startswith("."))
+    same = next((words for words in _SAME if base.lower() in words), frozenset[str]())
+    found = [name for name in free if name.lower() in same] or get_close_matches(base[:100], free[:_MOST], 2, 0.8)
+    return found[0] if len(found) == 1 else ""
 
 
 def _builder(package: ProjectPackage) -> str:

@@ -45,15 +45,35 @@ def _of(package: ProjectPackage, sources: Sources) -> Iterator[Finding]:
         script, location = uses[0]
         module = path.rpartition("/")[2].removesuffix(".py")
         where = next(install.destination for install in installs if install.path == script)
+        dotted = _dotted(path, package)
+        place = f"install {path} to {where or 'the same directory'}, too"
+        is_shadowed = dotted.partition(".")[0] == script.rpartition("/")[2].removesuffix(".py")  # it finds itself first
+        remedy = (
+            (place if is_shadowed else f"import it as {dotted}, which setup.py installs")
+            if dotted
+            else f"{place}, or make it a module of a Python package (catkin_python_setup)"
+        )
         yield Finding(
             at=location,
             message=f"{script} imports {module} from its own directory, but CMake installs the script alone: it fails with "
-            f"ImportError when started from an install space; install {path} to {where or 'the same directory'}, too, or make it a module of a "
-            "Python package (catkin_python_setup)",
+            f"ImportError when started from an install space; {remedy}",
             about=(package.name, path),
             related=tuple((place, "imports it, too") for _, place in uses[1:5]),
             apart=(module,),
         )
+
+
+def _dotted(path: str, package: ProjectPackage) -> str:
+    """The name by which the file at *path* can be imported, as a module of a package that setup.py names; "" where there is none."""
+    named = {name for name, _ in package.build.python_packages}
+    for name, directory in package.build.python_roots:
+        below = f"{directory}/" if directory != "." else ""
+        inside = path.removeprefix(below).removesuffix(".py").split("/")
+        whole = inside if not name else [*name.split("."), *inside]
+        if path.startswith(below) and ".".join(whole[:-1]) in named:
+            if f"{path.rpartition('/')[0]}/__init__.py" in package.project.workspace.names:
+                return ".".join(whole)
+    return ""
 
 
 def _build_files(package: ProjectPackage) -> set[str]:

@@ -33,7 +33,7 @@ def check(system: System) -> Iterator[Finding]:
         yield Finding(
             at=use.location,
             message=f"package {use.package} {_WORDS[use.kind]} {use.program!r}: this node cannot start"
-            + (_as_script(use) or meant(use.similar) or "; correct the name, or build and install it"),
+            + (_as_script(use, system) or meant(use.similar) or "; correct the name, or build and install it"),
             about=(f"{use.package}/{use.program}",),
             flow=included_by(use),
             apart=(use.program,),
@@ -41,11 +41,17 @@ def check(system: System) -> Iterator[Finding]:
         )
 
 
-def _as_script(use: ProgramUse) -> str:
+def _as_script(use: ProgramUse, system: System) -> str:
     """What to do where the package has a script of the name, with its ending: whether it is installed, and as what, decides what is meant."""
     script = f"{use.program}.py"
     if use.kind != "executable" or use.similar[:1] != (script,):
         return ""
+    package = system.packages.get(use.package)
+    if package is not None and package.build_type == "ament_python":
+        return (
+            f"; the package has {script}, but setup.py makes no program of it: add '{use.program} = MODULE:main' to console_scripts "
+            "in entry_points"
+        )
     return f"; the package has {script}: start it by that name if it is installed so, or install it with RENAME {use.program}"
 
 

@@ -349,7 +349,7 @@ def _instead(targets: list[str]) -> str:
 
 CHECK = Check(
     id="unknown-target",
-    summary="CMake target or library that the package does not build.",
+    summary="CMake target or library that the package does not build, or exported name without find_package().",
     level=Level.ERROR,
     catalogue="B09",
     tags=("build",),

@@ -1,99 +1,202 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What findings advise fits where they stand: no method inside of itself, the node that declares a parameter, the script that is no copy."""
+"""What findings advise: that which mends the package at hand."""
 
 from __future__ import annotations
 
 from pathlib import Path
-from types import MappingProxyType
 
 import pytest
-from test_check_levels import CMAKE, ROS2
+from test_first_run import CATKIN, MANIFEST, ROS1, ROS2, messages
 
-from haros_ci.api.testing import said
-from haros_ci.checking.page import Example
-from haros_ci.checking.set_aside import is_copy_by_name
-from haros_ci.registry import checks
-from haros_ci.substitutions.files import Files
-from haros_ci.workspace.discover import discover
-
-HEAD = "import rclpy\nfrom rclpy.node import Node\n\n\n"
-MAIN = "\n\nrclpy.init()\nrclpy.spin({}())\n"
-
-
-def messages(rule: str, files: dict[str, str], tmp_path: Path, executables: frozenset[str] = frozenset()) -> list[str]:
-    check = next(check for check in checks() if check.id == rule)
-    found = said(check, Example("", True, files, executables=executables), tmp_path)
-    return [result.message for result in found]
+GENERATES = "add_message_files(FILES A.msg)\ngenerate_messages()\n"
+NODE = "#!/usr/bin/env python3\nimport rclpy\n\n\ndef main():\n    rclpy.init()\n"
+SETUP = "from setuptools import setup\nsetup(name='demo', version='1.0.0', packages=['demo'], data_files=[('share/demo', ['package.xml'])], entry_points={'console_scripts': [%s]})\n"
 
 
 @pytest.mark.parametrize(
-    ("method", "hint"),
-    [("publish_grip_cmd", "set it in __init__()"), ("publish_grips", "did you mean self.publish_grips?")],
-)
-def test_no_method_is_meant_inside_of_itself(method: str, hint: str, tmp_path: Path) -> None:
-    body = (
-        f"class Hand(Node):\n    def __init__(self):\n        super().__init__('hand')\n        self.{method}()\n\n"
-        f"    def {method}(self):\n        {'self.other()' if 'cmd' not in method else 'self.publish_grip_cmds.publish(1)'}\n\n"
-        f"    def other(self):\n        {'pass' if 'cmd' in method else 'self.publish_grip(1)'}\n"
-    )
-    files = {"package.xml": ROS2, "CMakeLists.txt": CMAKE.format("install(PROGRAMS hand.py DESTINATION lib/demo)")}
-    (message,) = messages("undefined-attribute", {**files, "hand.py": HEAD + body + MAIN.format("Hand")}, tmp_path)
-    assert hint in message
-
-
-def node(name: str, *parameters: str) -> str:
-    declared = "".join(f"        self.declare_parameter('{key}', 1)\n" for key in parameters)
-    return f"{HEAD}class N(Node):\n    def __init__(self):\n        super().__init__('{name}')\n{declared or '        pass'}\n{MAIN.format('N')}"
-
-
-@pytest.mark.parametrize(
-    ("key", "of_head", "of_tail", "expected"),
+    ("awaited", "words"),
     [
-        ("head_frame", ("head_frame",), (), "; /head declares it: give it to that node"),
-        ("head_frame", ("head_frame",), ("head_frame",), "; correct the name, or remove it"),  # two declare it
-        ("rate", ("rate",), (), "; correct the name, or remove it"),  # everybody has one
-        ("head_frame", (), (), "; correct the name, or remove it"),
+        ("demo_generate_messages_eus", "demo_generate_messages_eus makes the code in EusLisp and no headers of C++"),
+        ("demo_genlisp", "demo_genlisp makes the code in Lisp and no headers"),
+        ("demo_generate_messages_py demo_gennodejs", "make the code in Python and JavaScript and no headers"),
+        ("demo_generate_messages_java", "has a name that no target has"),
+        ("other_generate_messages_py", "has a name that no target has"),
+        ("demo_generate_messages_py demo_messages_cpp", "has a name that no target has"),
     ],
 )
-def test_the_node_that_declares_a_parameter(
-    key: str, of_head: tuple[str, ...], of_tail: tuple[str, ...], expected: str, tmp_path: Path
-) -> None:
+def test_generation_for_another_language(awaited: str, words: str, tmp_path: Path) -> None:
+    build = f"{GENERATES}add_executable(walk walk.cpp)\nadd_dependencies(walk {awaited})"
     files = {
-        "package.xml": ROS2,
-        "CMakeLists.txt": CMAKE.format("install(PROGRAMS head.py map.py tail.py DESTINATION lib/demo)"),
-        "head.py": node("head", *of_head),
-        "tail.py": node("tail", *of_tail),
-        "map.py": node("map", "size_of_map"),
-        "launch/a.launch.xml": '<launch><node pkg="demo" exec="head.py"/><node pkg="demo" exec="tail.py"/>'
-        f'<node pkg="demo" exec="map.py"><param name="{key}" value="1"/></node></launch>\n',
+        "package.xml": MANIFEST.format("demo", ROS1),
+        "CMakeLists.txt": CATKIN.format("demo", build),
+        "msg/A.msg": "int32 a\n",
+        "walk.cpp": "#include <demo/A.h>\nint main() { return 0; }\n",
     }
-    found = messages("parameter-not-declared", files, tmp_path, frozenset(("head.py", "tail.py", "map.py")))
-    assert len(found) == 1
-    assert expected in found[0]
+    (message,) = messages("generation-not-awaited", files, tmp_path)
+    assert words in message
+
+
+def test_a_script_without_entry_point(tmp_path: Path) -> None:
+    files = {
+        "package.xml": MANIFEST.format("demo", ROS2).replace("ament_cmake", "ament_python"),
+        "setup.py": SETUP % "'other = demo.walls:main'",
+        "resource/demo": "",
+        "demo/__init__.py": "",
+        "demo/walls.py": NODE,
+        "launch/a.launch.xml": '<launch><node pkg="demo" exec="walls"/></launch>\n',
+    }
+    (message,) = messages("unknown-executable", files, tmp_path)
+    assert "RENAME" not in message
+    assert message.endswith(
+        "the package has walls.py, but setup.py makes no program of it: add 'walls = MODULE:main' to console_scripts in entry_points"
+    )
 
 
 @pytest.mark.parametrize(
-    ("path", "expected"),
+    ("line", "there", "words"),
     [
-        ("a/drive (Copy).py", True),
-        ("a/drive (copy 2).py", False),
-        ("a/drive (1).py", True),
-        ("drive - Copy.py", True),
-        ("copy of drive.py", True),
-        ("drive_copy.py", True),
-        ("a (copy)/drive.py", False),
-        ("drive.py", False),
-        ("copy_files.py", False),
-        ("photocopy.py", False),
+        ("install(DIRECTORY config DESTINATION share/demo)", "cfg/a.yaml", "did you mean cfg?"),
+        ("install(DIRECTORY launches DESTINATION share/demo)", "launch/a.launch", "did you mean launch?"),
+        ("install(DIRECTORY trajectoris DESTINATION share/demo)", "trajectories/a.csv", "did you mean trajectories?"),
+        ("install(DIRECTORY config cfg DESTINATION share/demo)", "cfg/a.yaml", "stores no directory that is empty"),
+        ("install(DIRECTORY config DESTINATION share/demo)", "launch/a.launch", "stores no directory that is empty"),
+        ("install(DIRECTORY config DESTINATION share/demo)", "cfg", "stores no directory that is empty"),
+        ("install(DIRECTORY maps DESTINATION share/demo)", "apps/a.txt", "stores no directory that is empty"),
     ],
 )
-def test_copies_by_their_names(path: str, expected: bool) -> None:
-    assert is_copy_by_name(path) is expected
+def test_a_directory_of_another_name(line: str, there: str, words: str, tmp_path: Path) -> None:
+    files = {"package.xml": MANIFEST.format("demo", ROS1), "CMakeLists.txt": CATKIN.format("demo", line), there: "a\n"}
+    (message,) = messages("missing-install-source", files, tmp_path)
+    assert message.endswith(words)
 
 
-def test_why_a_file_is_not_read(tmp_path: Path) -> None:
-    (tmp_path / "map.png").write_bytes(b"\x89PNG\r\n\x1a\n\0")
-    workspace = discover(tmp_path, (".",))
-    files = Files(workspace, {}, frozenset(), MappingProxyType({}))
-    assert files.why_not("map.png") == "is no text file of the workspace"
-    assert files.why_not("map.yaml") == "is not in the workspace"
+@pytest.mark.parametrize(
+    ("found", "names", "count"),
+    [
+        ("COMPONENTS roscpp", "message_runtime", 0),
+        ("COMPONENTS roscpp", "std_msgs", 0),
+        ("", "message_runtime", 1),
+        ("COMPONENTS roscpp", "eigen", 1),
+        ("COMPONENTS roscpp", "OpenCV", 1),
+    ],
+)
+def test_packages_of_ros_behind_depends(found: str, names: str, count: int, tmp_path: Path) -> None:
+    cmake = f"cmake_minimum_required(VERSION 3.0)\nproject(demo)\nfind_package(catkin REQUIRED {found})\ncatkin_package(DEPENDS {names})\n"
+    files = {"package.xml": MANIFEST.format("demo", ROS1), "CMakeLists.txt": cmake}
+    assert len(messages("unknown-target", files, tmp_path)) == count
+
+
+SCRIPT = "#!/usr/bin/env python\nimport rospy\nfrom tools import add\nrospy.init_node('n')\n"
+INSTALL = "catkin_python_setup()\ninstall(PROGRAMS src/demo/node.py DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})"
+
+
+@pytest.mark.parametrize(
+    ("packages", "words"),
+    [
+        ("['demo']", "; import it as demo.tools, which setup.py installs"),
+        ("['other']", "or make it a module of a Python package (catkin_python_setup)"),
+        ("", "or make it a module of a Python package (catkin_python_setup)"),
+    ],
+)
+def test_a_module_of_a_package_that_is_installed(packages: str, words: str, tmp_path: Path) -> None:
+    setup = "from distutils.core import setup\nfrom catkin_pkg.python_setup import generate_distutils_setup\nsetup(**generate_distutils_setup(packages=%s, package_dir={'': 'src'}))\n"
+    files = {
+        "package.xml": MANIFEST.format("demo", ROS1),
+        "CMakeLists.txt": CATKIN.format("demo", INSTALL if packages else INSTALL.partition("\n")[2]),
+        "src/demo/__init__.py": "",
+        "src/demo/node.py": SCRIPT,
+        "src/demo/tools.py": "def add():\n    pass\n",
+    }
+    if packages:
+        files["setup.py"] = setup % packages
+    (message,) = messages("module-not-installed", files, tmp_path)
+    assert message.endswith(words)
+
+
+@pytest.mark.parametrize(
+    ("depends", "generates", "words"),
+    [
+        (
+            "<depend>our_msgs</depend>",
+            GENERATES.replace("A.msg", "Pose.msg"),
+            "; use our_msgs/Pose, which our_msgs generates",
+        ),
+        ("", GENERATES.replace("A.msg", "Pose.msg"), "; call add_message_files() and generate_messages()"),
+        ("<depend>our_msgs</depend>", "", "; call add_message_files() and generate_messages()"),
+    ],
+)
+def test_an_interface_that_has_moved(depends: str, generates: str, words: str, tmp_path: Path) -> None:
+    files = {
+        "demo/package.xml": MANIFEST.format("demo", ROS1 + depends),
+        "demo/CMakeLists.txt": CATKIN.format("demo", ""),
+        "demo/msg/Pose.msg": "int32 a\n",
+        "demo/scripts/a.py": "#!/usr/bin/env python\nimport rospy\nfrom demo.msg import Pose\nrospy.init_node('n')\nrospy.Publisher('p', Pose)\n",
+        "our_msgs/package.xml": MANIFEST.format("our_msgs", ROS1),
+        "our_msgs/CMakeLists.txt": CATKIN.format("our_msgs", generates),
+        "our_msgs/msg/Pose.msg": "int32 a\n",
+    }
+    found = [message for message in messages("interface-not-generated", files, tmp_path) if "demo/Pose" in message]
+    assert [words in message for message in found] == [True]
+
+
+def test_a_definition_that_only_another_left_over_uses(tmp_path: Path) -> None:
+    script = "#!/usr/bin/env python\nimport rospy\nfrom demo.msg import Pose\nrospy.init_node('n')\nrospy.Publisher('p', Pose)\n"
+    files = {
+        "package.xml": MANIFEST.format("demo", ROS1),
+        "CMakeLists.txt": CATKIN.format("demo", ""),
+        "msg/Status.msg": "int32 a\n",
+        "msg/Pose.msg": "demo/Status status\n",
+    }
+    assert messages("interface-not-generated", files, tmp_path / "a") == []
+    found = messages("interface-not-generated", {**files, "scripts/a.py": script}, tmp_path / "b")
+    assert len(found) == 2
+
+
+def test_a_script_that_is_called_like_its_package(tmp_path: Path) -> None:
+    setup = "from distutils.core import setup\nfrom catkin_pkg.python_setup import generate_distutils_setup\nsetup(**generate_distutils_setup(packages=['demo'], package_dir={'': 'src'}))\n"
+    files = {
+        "package.xml": MANIFEST.format("demo", ROS1),
+        "CMakeLists.txt": CATKIN.format("demo", INSTALL.replace("node.py", "demo.py")),
+        "setup.py": setup,
+        "src/demo/__init__.py": "",
+        "src/demo/demo.py": SCRIPT,
+        "src/demo/tools.py": "def add():\n    pass\n",
+    }
+    (message,) = messages("module-not-installed", files, tmp_path)
+    assert message.endswith("; install src/demo/tools.py to lib/demo, too")
+
+
+ACTION = """#include <demo/action/dock.hpp>
+#include <rclcpp_action/rclcpp_action.hpp>
+
+using GoalHandle = rclcpp_action::ServerGoalHandle<demo::action::Dock>;
+
+class Docking : public rclcpp::Node
+{
+public:
+  void execute(const std::shared_ptr<GoalHandle> goal_handle)
+  {
+    auto result = std::make_shared<demo::action::Dock::Result>();
+    %s
+    if (count_ > 3) {
+      goal_handle->succeed(result);
+    }
+  }
+};
+"""
+
+
+@pytest.mark.parametrize(
+    ("before", "words"),
+    [
+        ("", "but the path that reaches the end of the function neither succeeds nor aborts nor cancels"),
+        (
+            "if (count_ > 9) {\n      return;\n    }",
+            "but the paths that end in line 12 and at the end of the function neither succeed",
+        ),
+    ],
+)
+def test_where_a_path_ends(before: str, words: str, tmp_path: Path) -> None:
+    files = {"package.xml": MANIFEST.format("demo", ROS2), "src/dock.cpp": ACTION % before}
+    (message,) = messages("action-without-result", files, tmp_path)
+    assert words in message

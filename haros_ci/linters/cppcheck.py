@@ -23,7 +23,7 @@ from haros_ci.linters import (
 from haros_ci.linters.catalogue.cppcheck import UNSURE
 from haros_ci.linters.compiled_language import compiled_as_cpp
 from haros_ci.linters.cppcheck_doubts import is_refuted, self_initialized_line
-from haros_ci.linters.cppcheck_indices import OF_INDICES, is_multiple, is_searched
+from haros_ci.linters.cppcheck_steps import is_never_so
 from haros_ci.linters.doubting import Doubting
 from haros_ci.linters.linter import Batch, Command, Finding, GaveUp, LintOptions, Output, Program, Unit, When, refuted
 from haros_ci.linters.tool_xml import ToolElement, elements
@@ -31,7 +31,6 @@ from haros_ci.model.location import Location
 from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Store, Workspace
 from haros_ci.regex import regex
-from haros_ci.results.code_alone import code_alone
 from haros_ci.results.result import Related, Result
 from haros_ci.results.rule import Level
 
@@ -200,15 +199,9 @@ def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
 
 
 def _is_never_so(error: ToolElement, workspace: Workspace) -> bool:
-    """Whether the places that lead to a negative index rule it out."""
-    if error.attributes["id"] not in OF_INDICES:
-        return False
-
-    def code(path: str) -> str:
-        return code_alone(workspace.text(path), "c")
-
+    """Whether the places that lead to a finding rule it out."""
     steps = [(child["file"], int(child["line"]), child.get("info", "")) for child in error.children]
-    return is_multiple(steps[0][1], code(steps[0][0])) or is_searched(steps, code)
+    return is_never_so(error.attributes["id"], error.attributes["msg"], steps, workspace.text)
 
 
 def _setup(root: str, home: str, flags: tuple[str, ...]) -> tuple[tuple[str, ...], tuple[str, ...]]:

@@ -20,7 +20,7 @@ from haros_ci.linters.cppcheck_uses import (
     is_pointed_to,
     is_read_checked,
 )
-from haros_ci.linters.cppcheck_ways import OF_WAYS, is_list_of_values, sets_nothing
+from haros_ci.linters.cppcheck_ways import OF_WAYS, ends_process, is_list_of_values, sets_nothing
 from haros_ci.regex import regex
 from haros_ci.results.code_alone import code_alone
 from haros_ci.results.scope import scopes
@@ -69,6 +69,7 @@ _PROVOKED = regex(
     r"|(?:REQUIRE|CHECK)_(?:THROWS|NOTHROW)\w*|BOOST_(?:CHECK|REQUIRE|WARN)_(?:THROW|NO_THROW|EXCEPTION))\s*\("
 )
 _OF_PROVOKED = frozenset({"ignoredReturnValue", "unusedScopedObject", "constStatement", "leakReturnValNotUsed"})
+_OF_LEAKS = frozenset({"memleak", "memleakOnRealloc"})
 _LEAKED = regex(r": \w*leak\w*", re.IGNORECASE)
 _LEAKS = regex(
     r"\b(?:intentional|deliberate|on purpose|never freed|not freed|let it)\w*[^.]{0,80}\bleak|\bleak\w*[^.]{0,80}\b(?:intentional|deliberate|purpose)",
@@ -151,6 +152,8 @@ def is_refuted(rule: str, message: str, line: int, whole: str) -> bool:  # noqa:
         return is_switched_by_hand(line, text)
     if rule == "duplicateExpression":
         return _is_of_numbers(message, _line(text, line))
+    if rule in _OF_LEAKS and ends_process(message, line, text):
+        return True
     if rule == "memleak":  # who names it so, or says so just above, means it
         near = "\n".join(whole.split("\n")[max(line - 7, 0) : line])
         return _LEAKED.search(message) is not None or any(_LEAKS.search(match[0]) for match in _COMMENT.finditer(near))

@@ -8,6 +8,7 @@ from collections.abc import Callable
 
 from haros_ci.linters.cppcheck_conditions import has_large_constant
 from haros_ci.regex import regex
+from haros_ci.results.scope import scopes
 
 _THROW = regex(r"\bthrow\b")
 #: A macro with a ``throw`` in it, over several lines, too.
@@ -35,6 +36,8 @@ _ITSELF = regex(r"of '([^']{1,200})' to itself")
 #: An assignment to itself as one of the cases of a switch.
 _CASE = regex(r"\s*(?:case\b[^;:]{0,80}|default\s*):")
 _ENDS_CASE = regex(r"[;{]\s*break\s*;|^\s*break\s*;", re.MULTILINE)
+#: What begins a lambda; an index before a bracket looks so, too.
+_LAMBDA = regex(r"\]\s*(?:\(|mutable\b|->|<|noexcept\b|\{|$)")
 #: Characters that are looked at before a place.
 _LONGEST = 4_000
 
@@ -100,10 +103,38 @@ def is_list_of_values(message: str, line: int, text: str) -> bool:
     return "<<" in statement
 
 
+def ends_process(message: str, line: int, text: str) -> bool:
+    """Whether *line* is a ``return`` of ``main()`` itself, or its end: the system takes back what is left.
+
+    The end of a block in it is none, nor is the ``return`` of a lambda in it.
+    """
+    inside = scopes(text, "cpp")
+    lines = text.split("\n")
+    if inside.at(line) != "main" or not 0 < line <= len(lines):
+        return False
+    if re.search(r"\breturn\b", _HIDDEN.sub("", lines[line - 1])) is None:
+        return lines[line - 1].startswith("}") and inside.at(line + 1) != "main"
+    before = _HIDDEN.sub(lambda found: re.sub(r"[^\n]", " ", found[0]), "\n".join(lines[: line - 1]))[-5 * _LONGEST :]
+    depth = 0
+    for brace in reversed(list(re.finditer(r"[{}]", before))):
+        depth += 1 if brace[0] == "}" else -1
+        if depth < 0:
+            depth = 0
+            head = before[max(brace.start() - 400, 0) : brace.start()]
+            if _LAMBDA.search(re.split(r"[;{}]", head)[-1]) is not None:
+                return False
+    return _LAMBDA.search(lines[line - 1]) is None
+
+
+def loses_nothing(message: str, line: int, text: str) -> bool:
+    """Whether nothing is lost where cppcheck says that a resource leaks: it was not opened, or the process ends."""
+    return has_not_opened(message, line, text) or ends_process(message, line, text)
+
+
 #: The questions by rule; each takes the message, the line, counted from 1, and the text of the file.
 OF_WAYS: dict[str, Callable[[str, int, str], bool]] = {
     "throwInNoexceptFunction": is_thrown_elsewhere,
-    "resourceLeak": has_not_opened,
+    "resourceLeak": loses_nothing,
     "compareValueOutOfTypeRangeError": is_named_limit,
 }
 

@@ -4,8 +4,10 @@
 from __future__ import annotations
 
 import ast
+from collections.abc import Iterator, Sequence
 from functools import lru_cache
 
+from haros_ci.linters.constant_tests import truth
 from haros_ci.linters.pylint_idioms import nodes
 from haros_ci.results.unreached import EXITING, EXITS, dead_parts, is_bound
 
@@ -30,7 +32,15 @@ def is_dead(text: str, line: int, column: int | None) -> bool:
     It stands behind a ``return``, ``raise``, ``continue`` or ``break``, an ``exit()`` or a loop without an end of the same block, in the ``if`` or ``while`` of a constant that is
     false, in the ``else`` of an ``if`` of one that is true, or behind a constant that decides a condition (``True or a``). Without a *column* all of the line does. A file that Python cannot parse has no such place.
     """
-    found = _dead(text)
+    return _is_in(_dead(text), text, line, column)
+
+
+def is_for_python2(text: str, line: int, column: int | None) -> bool:
+    """Whether Python 2 alone runs what stands there: the branch of ``if sys.version_info[0] < 3``. Names that are not there may be wrong in it all the same."""
+    return "version_info" in text and _is_in(_for_python2(text), text, line, column)
+
+
+def _is_in(found: Sequence[_Range], text: str, line: int, column: int | None) -> bool:
     if not found:
         return False
     lines = text.split("\n")
@@ -38,6 +48,15 @@ def is_dead(text: str, line: int, column: int | None) -> bool:
     begin = len(here) - len(here.lstrip()) if column is None else column
     at = (line, len(here[:begin].encode("utf-8", "replace")))
     return any(start <= at <= end for start, end in found)
+
+
+@lru_cache(maxsize=8)
+def _for_python2(text: str) -> tuple[_Range, ...]:
+    return tuple(
+        (_start(part[0]), (part[-1].end_lineno or 0, part[-1].end_col_offset or 0))
+        for node in nodes(text)
+        for part in _of_python2(node)
+    )
 
 
 @lru_cache(maxsize=8)
@@ -49,6 +68,17 @@ def _dead(text: str) -> tuple[_Range, ...]:
         for node in every
         for part in dead_parts(node, exits)
     )
+
+
+def _of_python2(node: ast.AST) -> Iterator[Sequence[ast.stmt]]:
+    """The branch that no Python 3 runs, which is what pylint reads a file as."""
+    asked = ast.dump(node.test) if isinstance(node, ast.If) else ""
+    if isinstance(node, ast.If) and "version_info" in asked and "TYPE_CHECKING" not in asked:
+        known = truth(node.test, {})
+        if known is False:
+            yield node.body
+        elif known is True and node.orelse:
+            yield node.orelse
 
 
 def _start(statement: ast.stmt | ast.expr) -> tuple[int, int]:

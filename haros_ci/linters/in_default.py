@@ -37,6 +37,10 @@ _DEPRECATION = regex(r"pylint:deprecated-(?:argument|attribute|class|decorator|m
 #: Objects that are made for what they do until their scope ends, or that somebody forgot to throw.
 _GUARD = regex(r"(?:lock|guard|scoped|mutex|exception|error)", re.IGNORECASE)
 
+#: What follows if malloc() gives nothing; cppcheck has rules of their own for it (``nullPointerOutOfMemory``), and forgets that over two assignments.
+_OF_ALLOCATION = regex(r"cppcheck:(?:ctu)?[nN]ull[pP]ointer(?:Arithmetic)?")
+_FAILS = "Assuming allocation function fails"
+
 
 def is_test(path: str) -> bool:
     """Whether the file at *path* is code for tests, by its name or the name of a directory."""
@@ -57,6 +61,8 @@ def is_idle(result: Result, ros: int | None, is_built: Callable[[str], bool] = l
     if rule in IN_TESTS and is_test(path) and (_DIRECTORY.search(path) is not None or not is_built(path)):
         return True
     if ros == 1 and _DEPRECATION.fullmatch(rule):
+        return True
+    if _OF_ALLOCATION.fullmatch(rule) and any(near.message == _FAILS for near in result.related):
         return True
     if rule == "cppcheck:unusedScopedObject":  # of other objects the constructor alone may be meant
         return not _GUARD.search(result.message)

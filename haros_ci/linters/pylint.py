@@ -11,7 +11,7 @@ from typing import Any
 
 from haros_ci.linters import columns, doubled_values, growth, imports, installed, python2
 from haros_ci.linters.catalogue.pylint import NOT_FATAL
-from haros_ci.linters.dead_statements import OF_FILES, is_dead
+from haros_ci.linters.dead_statements import OF_FILES, is_dead, is_for_python2
 from haros_ci.linters.doubting import Doubting
 from haros_ci.linters.linter import (
     SILENCED,
@@ -37,6 +37,7 @@ from haros_ci.model.workspace import Store, Workspace
 from haros_ci.regex import regex
 from haros_ci.results.result import Result
 from haros_ci.results.rule import Level
+from haros_ci.results.same_cause import OF_A_NAME
 
 NAME = "pylint"
 LANGUAGES = frozenset({"python"})
@@ -172,8 +173,10 @@ def _is_doubted(report: dict[str, Any], path: str, text: str, doubting: Doubting
     if doubting.may(path, rule, text):
         if is_refuted(rule, line, report["column"], text):
             return True
-        if report["type"] == "error" and rule not in OF_FILES and is_dead(text, line, report["column"]):
-            return True
+        if report["type"] == "error" and rule not in OF_FILES:
+            at = (text, line, report["column"])
+            if is_dead(*at) or (f"pylint:{rule}" not in OF_A_NAME and is_for_python2(*at)):
+                return True
         if rule == "no-value-for-parameter" and _OF_CLASS.search(report["message"]) is not None:
             return is_made_by_hand(text, line, report["column"])
     return False

@@ -17,7 +17,7 @@ from haros_ci.results.result import Related, Result
 TOOL = "catkin_lint"
 #: A finding names no more other places than this.
 MOST = 40
-#: The check of ours that names the markers of a merge, all files of one merge in one finding, and what linters say of the first marker of a file.
+#: The check of ours that names the markers of a merge, all files of one merge in one finding, and what linters say from the first marker of a file on.
 _CONFLICT = "haros-ci:merge-conflict"
 _OF_MARKERS = frozenset(
     ("pylint:syntax-error", "cppcheck:syntaxError", "ruff:invalid-syntax", "flake8:E999", "mypy:syntax")
@@ -94,18 +94,22 @@ def said_once(results: Iterable[Result], package_of: Callable[[str], str | None]
 
 
 def _without_markers(results: Iterable[Result]) -> tuple[Result, ...]:
-    """*results* without those of linters at markers of a merge that one of ours names, which then names their rules."""
+    """*results* without those of linters at markers of a merge that one of ours names, which then names their rules.
+
+    A tool says of a file what it cannot read first, which need not be the first marker: a number in the name of a commit is read before the lines are put together.
+    """
     found = tuple(results)
-    at: dict[tuple[str, int | None], int] = {}
+    begins: dict[str, tuple[int, int]] = {}
     for i, result in enumerate(found):
         if result.full_id == _CONFLICT:
             for place in (result.location, *(related.location for related in result.related)):
-                at.setdefault((place.path, place.line), i)
+                if place.line:
+                    begins[place.path] = min(begins.get(place.path, (place.line, i)), (place.line, i))
     also: dict[int, set[str]] = defaultdict(set)
     kept: list[int] = []
     for i, result in enumerate(found):
-        twin = at.get((result.location.path, result.location.line)) if result.full_id in _OF_MARKERS else None
-        if twin is None:
+        line, twin = begins.get(result.location.path, (0, -1)) if result.full_id in _OF_MARKERS else (0, -1)
+        if twin < 0 or (result.location.line or 0) < line:
             kept.append(i)
         else:
             also[twin].update((result.full_id, *result.also))

@@ -93,6 +93,11 @@ _SCRIPTS: tuple[tuple[str, str, str], ...] = (
     (r"\w*transform\w*\.py", r"Copyright.{0,40}\bChristoph Gohlke\b", "transformations"),
     (r"bottle\.py", r"Copyright.{0,40}\bMarcel Hellkamp\b", "bottle"),
 )
+#: Scripts without a first comment, by what their documentation says, which who takes a few lines of them does not copy.
+_WITHOUT_HEAD: tuple[tuple[str, bytes, str], ...] = (
+    (r"easysensors\.py|easygopigo3\.py", b"Dexter Industries `shop`_", "gopigo3"),
+)
+_INSIDE = tuple((regex(name), inside, own) for name, inside, own in _WITHOUT_HEAD)
 _KNOWN = {
     language: tuple((regex(n), regex(s, re.IGNORECASE | re.DOTALL), own) for n, s, own in table)
     for language, table in (("cpp", _TABLE), ("python", _SCRIPTS))
@@ -105,8 +110,12 @@ _ANY = {
 
 
 def copied_library(path: str, language: str, data: bytes) -> str:
-    """The library whose own file the one at *path* is by its name and by what its first comment says; "" otherwise."""
+    """The library whose own file the one at *path* is by its name and by what its first comment says, or its documentation; "" otherwise."""
     name = path.rpartition("/")[2]
+    if language == "python" and data.count(b"\n") >= SHORTEST:
+        for names, inside, own in _INSIDE:
+            if names.fullmatch(name) and inside in data:
+                return own
     if language not in _ANY or _ANY[language].fullmatch(name) is None or data.count(b"\n") < SHORTEST:
         return ""
     comment = re.sub(r"[\s#]+", " ", leading_comment(language, data))

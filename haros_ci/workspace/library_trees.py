@@ -39,6 +39,8 @@ _TREES: tuple[tuple[str, str, tuple[str, ...]], ...] = (
     ("pointpillars", "pointpillars", ("pointpillars.h", "preprocess.h", "scatter.h")),
     ("pointpillar", "pointpillar", ("pointpillar.hpp", "lidar-voxelization.hpp", "common/tensor.hpp")),
     ("pointpillar", "eval", ("kitti_format.py", "kitti_common.py", "eval.py")),
+    ("tensorrtx", "", ("plugin/yololayer.h", "plugin/yololayer.cu", "include/cuda_utils.h", "src/calibrator.cpp")),
+    ("tensorrtx", "", ("yololayer.h", "yololayer.cu", "cuda_utils.h", "calibrator.cpp")),
     ("freertos", "", ("tasks.c", "queue.c", "list.c", "include/FreeRTOS.h")),
 )
 _BY_FIRST: dict[str, list[tuple[str, str, tuple[str, ...]]]] = {}
@@ -69,6 +71,8 @@ def library_trees(names: Iterable[str], packages: Mapping[str, str]) -> frozense
         for library, called, files in _BY_FIRST.get(base, ()):
             root = name[: -len(files[0]) - 1]
             if not root or not name.endswith(f"/{files[0]}") or called not in ("", root.rpartition("/")[2]):
+                continue
+            if not called and root in packages:  # whose own files are beside
                 continue
             if all(f"{root}/{file}" in known for file in files) and not is_of_project(
                 library, _package(root, packages)

@@ -86,7 +86,8 @@ class SingleCopies(Judged):
             return False
         own = [other_file for other_file in self._code if not owner.isdisjoint(self._heads[other_file.path])]
         directory = posixpath.dirname(file.path)
-        if len(own) > MOST or any(posixpath.dirname(other_file.path) != directory for other_file in own):
+        beside = [other_file for other_file in own if posixpath.dirname(other_file.path) == directory]
+        if len(beside) > MOST or any(not self._is_again(other_file, beside) for other_file in own):
             return False
         group = {other_file.path for other_file in own}
         if any(
@@ -102,6 +103,17 @@ class SingleCopies(Judged):
         if len(others) < OTHERS or any(_licences(self._head(other)) & licences for other in others):
             return False
         return not self._of_package(file.package) & licences and not self._uses_others(text, others)
+
+    def _is_again(self, file: SourceFile, beside: Collection[SourceFile]) -> bool:
+        """Whether *file* is one of those *beside* the copy, or one of them word for word: somebody has put the library in twice."""
+        return any(
+            file is other_file
+            or (
+                posixpath.basename(file.path) == posixpath.basename(other_file.path)
+                and self._workspace.text(file.path) == self._workspace.text(other_file.path)
+            )
+            for other_file in beside
+        )
 
     def _head(self, file: SourceFile) -> str:
         if file.language not in ("cpp", "python"):

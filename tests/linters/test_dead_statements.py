@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import pytest
 
-from haros_ci.linters.dead_statements import is_dead
+from haros_ci.linters.dead_statements import is_dead, is_for_python2
 from haros_ci.linters.doubting import Doubting
 from haros_ci.linters.pylint import _is_doubted
 from haros_ci.linters.undefined_names import weighed_names
@@ -147,3 +147,33 @@ def test_what_pylint_says_there(rule: str, kind: str, is_left_out: bool) -> None
     report = {"symbol": rule, "type": kind, "line": 3, "column": 4, "message": ""}
     assert _is_doubted(report, "a.py", text, Doubting()) is is_left_out
     assert not _is_doubted({**report, "line": 6, "column": 0}, "a.py", text, Doubting())
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("if sys.version_info[0] < 3:\n    HERE\nelse:\n    a\n", True),
+        ("if sys.version_info[0] == 2:\n    HERE\n", True),
+        ("if sys.version_info < (3, 0):\n    HERE\n", True),
+        ("if sys.version_info.major >= 3:\n    a\nelse:\n    HERE\n", True),
+        ("if sys.version_info[0] < 3:\n    a\nelse:\n    HERE\n", False),
+        ("if sys.version_info >= (3, 0):\n    HERE\n", False),
+        ("if sys.version_info < (3, 10):\n    HERE\nelse:\n    a\n", False),
+        ("if sys.version_info < least:\n    HERE\n", False),
+        ("if version < 3:\n    HERE\n", False),
+        ("if TYPE_CHECKING and sys.version_info >= (3, 0):\n    HERE\n", False),
+        ("if sys.version_info[0] < 3:\n    a\nHERE\n", False),
+    ],
+)
+def test_what_python_2_alone_runs(text: str, expected: bool) -> None:
+    assert is_for_python2(text.replace("HERE", "here"), *place(text)) is expected
+    assert not is_dead(text.replace("HERE", "here"), *place(text))
+
+
+@pytest.mark.parametrize(
+    ("rule", "is_left_out"), [("bad-super-call", True), ("no-member", True), ("undefined-variable", False)]
+)
+def test_what_pylint_says_of_python_2(rule: str, is_left_out: bool) -> None:
+    text = "import sys\nif sys.version_info[0] < 3:\n    a.b(c)\n"
+    report = {"symbol": rule, "type": "error", "line": 3, "column": 4, "message": ""}
+    assert _is_doubted(report, "a.py", text, Doubting()) is is_left_out

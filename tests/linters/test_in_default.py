@@ -3,12 +3,14 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
 from haros_ci.linters import catalogue
 from haros_ci.linters.in_default import IN_TESTS, is_idle, is_of_linter, is_test
 from haros_ci.model.location import Location
-from haros_ci.results.result import Result
+from haros_ci.results.result import Related, Result
 from haros_ci.results.rule import Level
 
 
@@ -105,3 +107,14 @@ def test_what_a_build_makes_a_program_of_is_no_test(path: str, expected: bool) -
     assert is_idle(result("cppcheck:nullPointer", path), 2, lambda one: "other" not in one) is expected
     assert is_idle(result("cppcheck:nullPointer", path), 2) is True
     assert is_idle(result("cppcheck:uninitvar", path), 2, lambda one: True) is False
+
+
+@pytest.mark.parametrize("rule", ["nullPointer", "nullPointerArithmetic", "ctunullpointer"])
+def test_an_allocation_that_fails(rule: str) -> None:
+    """cppcheck names it nullPointerOutOfMemory, which no profile but ``all`` has, and forgets it over an assignment."""
+    places = [
+        Related(Location("src/a.cpp", 2), text) for text in ("Assignment 'a=b+1'", "Assuming allocation function fails")
+    ]
+    assert is_idle(replace(result(f"cppcheck:{rule}"), related=tuple(places)), 2)
+    assert not is_idle(replace(result(f"cppcheck:{rule}"), related=tuple(places[:1])), 2)
+    assert not is_idle(replace(result("cppcheck:uninitvar"), related=tuple(places)), 2)

@@ -128,6 +128,8 @@ def of_markers(*others: tuple[str, str, str, int]) -> list[tuple[str, tuple[str,
 def test_the_markers_of_a_merge_are_one_finding() -> None:
     both = of_markers(("pylint", "syntax-error", "a.py", 7), ("pylint", "syntax-error", "b.py", 9))
     assert both == [("haros-ci:merge-conflict", ("pylint:syntax-error",))]
+    behind = of_markers(("pylint", "syntax-error", "a.py", 21), ("pylint", "syntax-error", "b.py", 10))
+    assert behind == both
     assert of_markers(("ruff", "invalid-syntax", "a.py", 7)) == [("haros-ci:merge-conflict", ("ruff:invalid-syntax",))]
 
 

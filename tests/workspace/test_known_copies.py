@@ -116,3 +116,20 @@ def test_long_comments_take_no_time(filler: str) -> None:
     for name in ("json.hpp", "unix.cc", "sqlite3.c", "backward.hpp"):
         copied_library(name, "cpp", b"/*" + filler.encode() * 3000 + b"*/" + b"\n" * 200)
     assert time.monotonic() - start < 2
+
+
+@pytest.mark.parametrize(
+    ("path", "line", "lines", "library"),
+    [
+        ("a/easysensors.py", "see our Dexter Industries `shop`_.", 200, "gopigo3"),
+        ("easygopigo3.py", "see our Dexter Industries `shop`_.", 200, "gopigo3"),
+        ("a/easysensors.py", "see our Dexter Industries `shop`_.", 20, ""),
+        ("a/easysensors.py", "sensors of Dexter Industries", 200, ""),
+        ("a/my_easysensors.py", "see our Dexter Industries `shop`_.", 200, ""),
+        ("a/sensors.py", "see our Dexter Industries `shop`_.", 200, ""),
+    ],
+)
+def test_a_script_without_a_head(path: str, line: str, lines: int, library: str) -> None:
+    text = f'import time\n"""\n{line}\n"""\n' + "x = 1\n" * lines
+    assert copied_library(path, "python", text.encode()) == library
+    assert copied_library(path, "cpp", text.encode()) == ""

@@ -51,6 +51,10 @@ FIRES = [
     made(body="import more\n" + BODY, demo__more_dot_py=HEAD + BODY),
     made(body="import os, numpy as np\n" + BODY),
     {**made(), "demo/node0.py": "# Copyright 2020 Somebody\n# Redistribution and use in source and binary forms\n"},
+    made(demo__lib__sums_dot_py=HEAD + BODY),
+    made(
+        demo__more_dot_py=HEAD + "a = 1\n", demo__lib__more_dot_py=HEAD + "a = 1\n", demo__lib__sums_dot_py=HEAD + BODY
+    ),
 ]
 QUIET = [
     made(""),
@@ -75,6 +79,8 @@ QUIET = [
     made(demo__setup_dot_py="setup(author='Grete Stromberg')\n"),
     made(other__package_dot_xml=MANIFEST.replace("demo", "other").replace("Ada Lovage", "Grete S.")),
     made(demo__lib__more_dot_py=HEAD + BODY),
+    made(demo__lib__sums_dot_py=HEAD + BODY + "b = 1\n"),
+    made(demo__lib__sums_dot_py=HEAD + BODY, demo__lib__more_dot_py=HEAD + BODY),
     made(demo__more_dot_py="# Written with Grete.\n" + BODY),
     made(**{f"demo__more{number}_dot_py": HEAD + BODY for number in range(3)}),
     {**made(), "demo/node0.py": "# Copyright 2020 Somebody\n" + MIT},

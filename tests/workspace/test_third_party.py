@@ -34,6 +34,7 @@ def eigen(root: str = EIGEN) -> tuple[str, ...]:
 
 #: Path, other files, directories asked about, and the directory of the copy.
 YOLOP = ("models/YOLOP.py", "models/common.py", "core/evaluate.py")
+TENSORRTX = ("plugin/yololayer.h", "plugin/yololayer.cu", "include/cuda_utils.h", "src/calibrator.cpp")
 IKFOM = ("esekfom/esekfom.hpp", "mtk/build_manifold.hpp", "mtk/types/S2.hpp")
 FIRES = [
     (
@@ -74,6 +75,13 @@ FIRES = [
     ("yolo/darknet/src/gemm.c", ("yolo/darknet/include/darknet.h", "yolo/darknet/src/network.c"), (), "yolo/darknet"),
     ("fw/os/tasks.c", ("fw/os/queue.c", "fw/os/list.c", "fw/os/include/FreeRTOS.h"), (), "fw/os"),
     ("src/demo/lib/a.py", tuple(f"src/demo/lib/{name}" for name in YOLOP), (), "src/demo/lib"),
+    ("src/demo/yolov7/src/block.cpp", tuple(f"src/demo/yolov7/{name}" for name in TENSORRTX), (), "src/demo/yolov7"),
+    (
+        "src/demo/trt/block.cpp",
+        tuple(f"src/demo/trt/{name.rpartition('/')[2]}" for name in TENSORRTX),
+        (),
+        "src/demo/trt",
+    ),
     (
         "src/demo/include/IKFoM_toolkit/mtk/types/S2.hpp",
         tuple(f"src/demo/include/IKFoM_toolkit/{name}" for name in IKFOM),
@@ -82,6 +90,9 @@ FIRES = [
     ),
 ]
 QUIET = [
+    ("src/demo/src/block.cpp", tuple(f"src/demo/{name}" for name in TENSORRTX), ()),
+    ("src/demo/yolov7/src/block.cpp", tuple(f"src/demo/yolov7/{name}" for name in TENSORRTX[1:]), ()),
+    ("src/demo/src/block.cpp", tuple(f"src/demo/yolov7/{name}" for name in TENSORRTX), ()),
     ("src/demo/lib/a.py", tuple(f"src/demo/lib/{name}" for name in YOLOP[1:]), ()),
     ("src/demo/include/ikfom/a.hpp", tuple(f"src/demo/include/ikfom/{name}" for name in IKFOM), ()),
     ("src/demo/pointpillars/nms.h", ("src/demo/pointpillars/pointpillars.h",), ()),
