@@ -14,7 +14,7 @@ from haros_ci.api.packages import (
     CMakeCommand,
     add_dependency,
     is_built_against,
-    is_of_ros,
+    is_found_by_others,
     may_have_more,
     may_set_variables,
 )
@@ -160,7 +160,7 @@ def _dependencies(package: ProjectPackage, command: CMakeCommand) -> Iterator[Fi
     lost = [
         name
         for name in dict.fromkeys(command.after("DEPENDS", *_KEYWORDS))
-        if not may_set_variables(package, name) and not _is_found_by_others(package, name)
+        if not may_set_variables(package, name) and not is_found_by_others(package, name)
     ]
     if _PLACEHOLDER in lost:
         lost.remove(_PLACEHOLDER)
@@ -179,15 +179,6 @@ def _dependencies(package: ProjectPackage, command: CMakeCommand) -> Iterator[Fi
             about=(package.name, "DEPENDS"),
             level=Level.WARNING,
         )
-
-
-def _is_found_by_others(package: ProjectPackage, name: str) -> bool:
-    """Whether packages that catkin finds may find the package *name* for themselves; behind DEPENDS it is then what it is behind CATKIN_DEPENDS.
-
-    catkin/cmake/catkin_package.cmake (``_FOUND_CATKIN_PROJECT``), and catkin/cmake/template/pkgConfig.cmake.in, which finds dependencies.
-    """
-    finds = [find for find in package.commands("find_package") if find.arguments[:1] == ("catkin",)]
-    return any(find.after("COMPONENTS") for find in finds) and is_of_ros(name, package.project)
 
 
 def _exported(package: ProjectPackage, words: tuple[str, ...]) -> Iterator[tuple[str, str]]:

@@ -8,7 +8,7 @@ from haros_ci.checking.boost import boost_keys
 from haros_ci.checking.build_tool import AMENT, CATKIN, always_called, undeclared_build_tools
 from haros_ci.checking.built_against import is_built_against
 from haros_ci.checking.cmake import OF_TARGETS, CMake, Install, Link
-from haros_ci.checking.cmake_variables import may_set_variables
+from haros_ci.checking.cmake_variables import is_found_by_others, may_set_variables
 from haros_ci.checking.conflicts import CONFLICT_BEGINS, CONFLICT_ENDS, conflicts
 from haros_ci.checking.console_scripts import entry_point_mistake, renamed_module
 from haros_ci.checking.counterparts import COUNTERPARTS
@@ -254,6 +254,7 @@ __all__ = [
     "is_nested",
     "is_of_node",
     "is_nowhere",
+    "is_found_by_others",
     "is_of_ros",
     "is_of_tests",
     "is_program",

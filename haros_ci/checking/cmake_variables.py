@@ -7,6 +7,7 @@ import re
 from collections.abc import Iterator
 
 from haros_ci.checking.project import ProjectPackage
+from haros_ci.checking.provision import is_of_ros
 from haros_ci.model.build import CMakeCommand
 
 #: What find_package() finds that sets variables of its own name alone, in small letters.
@@ -16,7 +17,7 @@ _ALONE = frozenset(
 
 
 def may_set_variables(package: ProjectPackage, name: str) -> bool:
-    """Whether CMake may set ``<name>_INCLUDE_DIRS`` or ``<name>_LIBRARIES``; upper and lower case are not distinguished; or whether catkin takes the name for a package that is found."""
+    """Whether CMake may set ``<name>_INCLUDE_DIRS`` or ``<name>_LIBRARIES``; upper and lower case are not distinguished."""
     finds = [
         command
         for command in package.build.commands
@@ -34,22 +35,17 @@ def may_set_variables(package: ProjectPackage, name: str) -> bool:
         or not named <= _ALONE | {word.lower() for word in _components(finds)}
     ):
         return True
-    if _is_brought(package, name):
-        return True
     texts = (package.project.text(path) for path in {command.location.path for command in package.build.commands})
     return any(re.search(rf"(?i)\b{re.escape(name)}_(?:INCLUDE_DIRS?|LIBRARIES)\s+\S", text) for text in texts)
 
 
-def _is_brought(package: ProjectPackage, name: str) -> bool:
-    """Whether *name* is a package of ROS that another one may bring: the configuration of a catkin package finds what it exports.
+def is_found_by_others(package: ProjectPackage, name: str) -> bool:
+    """Whether packages that catkin finds may find the package *name* for themselves; behind DEPENDS it is then what it is behind CATKIN_DEPENDS.
 
-    catkin_package() then takes a name behind DEPENDS for one behind CATKIN_DEPENDS.
+    catkin/cmake/catkin_package.cmake (``_FOUND_CATKIN_PROJECT``), and catkin/cmake/template/pkgConfig.cmake.in, which finds dependencies.
     """
-    project = package.project
-    is_ros = project.package(name) is not None or bool(project.knowledge.is_package(name))
-    finds = package.commands("find_package")
-    found = {word for find in finds for word in find.arguments} - {"catkin", "REQUIRED", "COMPONENTS", "QUIET"}
-    return is_ros and any(project.package(word) is not None or project.knowledge.is_package(word) for word in found)
+    finds = [find for find in package.commands("find_package") if find.arguments[:1] == ("catkin",)]
+    return any(find.after("COMPONENTS") for find in finds) and is_of_ros(name, package.project)
 
 
 def _components(finds: list[CMakeCommand]) -> Iterator[str]:
