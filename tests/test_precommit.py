@@ -20,7 +20,7 @@ ROOT = Path(__file__).resolve().parent.parent
 CLEAN = '"""Joints."""\n\n\ndef home():\n    """Where the arm rests."""\n    return [0.0] * 6\n'
 FAULTY = CLEAN.replace("0.0", "rest_angle")
 CLEAN_CPP = "int half(int all)\n{\n  return all / 2;\n}\n"
-FAULTY_CPP = "int half(int all)\n{\n  const int parts = 0;\n  return all / parts;\n}\n"
+FAULTY_CPP = "int half(int all)\n{\n  int parts = 2;\n  parts -= 2;\n  return all / parts;\n}\n"
 HEADER = "// SPDX-License-Identifier: Apache-2.0\n"
 
 NODE = """\

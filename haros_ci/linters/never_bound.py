@@ -214,7 +214,7 @@ class _Names:
             self._branch(node.body, place, is_empty(node.iter, self.constants))
             self._block(node.orelse, place)
         elif isinstance(node, ast.Try) or type(node).__name__ == "TryStar":
-            self._attempt(node, place)  # type: ignore[arg-type]
+            self._attempt(node, place)  # type: ignore[arg-type]  # TryStar has the same parts, from Python 3.11 on
         elif isinstance(node, ast.AnnAssign):
             self._declared(node, place)
         elif isinstance(node, ast.Delete):

@@ -27,6 +27,7 @@ from haros_ci.results.directives import directives
 from haros_ci.results.fingerprint import text_hashes
 from haros_ci.results.line_hash import github_line_hashes
 from haros_ci.results.line_map import line_mapper
+from haros_ci.results.module_names import names_of
 from haros_ci.results.overwritten import is_overwritten, is_used_before
 from haros_ci.results.scope import scopes
 from haros_ci.syntax import Program
@@ -171,10 +172,10 @@ def followed_ros1(data: bytes) -> object:
 
 
 def defined_again(data: bytes) -> object:
-    """Lines of functions that are defined again, with a text and its first lines."""
+    """Lines of functions that are defined again, with a text and its first lines; and the names that a module has."""
     text = data.decode("utf-8", errors="replace")
     lines = range(1, min(text.count("\n") + 2, 40))
-    return [(is_overwritten(text, line), is_used_before(text, line)) for line in lines]
+    return names_of(text), [(is_overwritten(text, line), is_used_before(text, line)) for line in lines]
 
 
 def code_under_other_names(data: bytes) -> object:
@@ -201,7 +202,9 @@ TARGETS = {
     "python": Entry(python, "Python sources", ("extract.python", "linters.python2")),
     "measured-cpp": Entry(measured_cpp, "C++ as metrics see it", ("measuring.cpp", "measuring.facts")),
     "measured-python": Entry(measured_python, "Python as metrics see it", ("measuring.python",)),
-    "defined-again": Entry(defined_again, "Python with functions of one name", ("results.overwritten",)),
+    "defined-again": Entry(
+        defined_again, "Python with functions of one name", ("results.overwritten", "results.module_names")
+    ),
     "radon": Entry(radon, "Python as radon's worker measures it", ("linters.radon_worker", "linters.metrics_worker")),
     "lizard": Entry(lizard, "C++ as lizard's worker measures it", ("linters.lizard_worker", "linters.metrics_worker")),
     "comments": Entry(
