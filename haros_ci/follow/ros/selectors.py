@@ -8,19 +8,19 @@ from functools import cache
 from typing import TYPE_CHECKING
 
 from haros_ci import syntax
-from haros_ci.follow import conversions, handles, members, methods
+from haros_ci.follow import conversions, handles, members
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.ros import name_selectors, ros2_listed, ros2_nodes, ros2_selectors
 from haros_ci.follow.ros.own_names import own_names
+from haros_ci.follow.ros.selected_types import TypeValue as TypeValue
+from haros_ci.follow.ros.selected_types import callback_type, hidden_type, is_open
 from haros_ci.follow.walk import Walk
 from haros_ci.index.ros_types import is_hidden, parameter_type
 from haros_ci.model.api import Entry, Row, Template
 from haros_ci.model.location import Location
 from haros_ci.records import dataclass
-from haros_ci.syntax import Type
 from haros_ci.values import iterators
 from haros_ci.values.abstract import (
-    Callable,
     Choice,
     ClassValue,
     Known,
@@ -35,13 +35,6 @@ from haros_ci.values.abstract import (
 
 if TYPE_CHECKING:
     from haros_ci.follow.call_arguments import PassedArgument
-
-
-@dataclass(frozen=True, slots=True)
-class TypeValue:
-    """A type where a value is expected."""
-
-    type: Type
 
 
 #: What a template or selector finds: None if nothing is there.
@@ -224,7 +217,7 @@ def select_value(applied: Applied, selector: str) -> Found:  # noqa: C901 - one 
     if found is None:
         return None
     if function == "callback":
-        return _callback_type(walk, found, applied.args, int(index or 0))
+        return callback_type(walk, found, applied.args, int(index or 0))
     value = iterators.not_none(found.value) if isinstance(found.value, Choice) else found.value
     if isinstance(value, Library):
         return TypeValue(syntax.Type(value.name))
@@ -239,38 +232,13 @@ def _first_type(applied: Applied, selectors: list[str]) -> TypeValue | None:
     other: TypeValue | None = None
     for selector in selectors:
         found = select_value(applied, selector) if selector[0] == "<" else None
-        if isinstance(found, TypeValue) and is_hidden(found.type) and not _is_open(applied, found.type):
+        if isinstance(found, TypeValue) and is_hidden(found.type) and not is_open(applied, found.type):
             return found
-        hidden = _hidden(applied, selector)
+        hidden = hidden_type(applied, given(applied.args, selector) if selector.isdigit() else None)
         if hidden is None and (kind := _type_of(applied, selector)) is not None:
             return kind
         other = other or hidden
     return other
-
-
-def _hidden(applied: Applied, selector: str) -> TypeValue | None:
-    """The type of a variable of C++ that stands for one that nothing tells (``Scalar x = 3``): what it holds does not, either."""
-    argument = given(applied.args, selector) if selector.isdigit() else None
-    kind = argument.cell.type if argument is not None and argument.cell is not None else None
-    if (
-        kind is None
-        or kind.arguments
-        or "*" in kind.marks
-        or not is_hidden(kind)
-        or applied.frame.source.separator == "."
-    ):
-        return None
-    index = applied.walk.index
-    is_known = kind.name in index.classes or kind.name in index.aliases or kind.name in index.library
-    return None if is_known or _is_open(applied, kind) else TypeValue(kind)
-
-
-def _is_open(applied: Applied, kind: syntax.Type) -> bool:
-    """Whether a type is, or is made of, a template parameter of the function around the call: who calls it is not seen."""
-    function = applied.frame.function
-    names = {*applied.frame.templates, *(function.templates if function is not None else ())}
-    inner = kind.of(0)
-    return kind.name in names or (inner is not None and inner.name in names)
 
 
 def _type_of(applied: Applied, selector: str) -> TypeValue | None:
@@ -310,36 +278,3 @@ def _members(applied: Applied, value: Value, names: list[str]) -> Value | None:
 def _template_argument(types: tuple[syntax.Argument, ...], index: int) -> TypeValue | None:
     found = types[index] if index < len(types) else None
     return TypeValue(found) if type(found) is syntax.Type else None
-
-
-def _templates_of(owner: str, every: tuple[PassedArgument, ...]) -> Mapping[str, syntax.Argument]:
-    """What the template parameters of the class *owner* stand for in an object of it among the arguments (``&C<T>::cb, &c``)."""
-    for argument in every if owner else ():
-        value = argument.value.cell.value if isinstance(argument.value, Pointer) else argument.value
-        if isinstance(value, Object) and value.definition is not None and value.definition[1].name == owner:
-            return value.templates
-    return {}
-
-
-def _callback_type(
-    walk: Walk, argument: PassedArgument, every: tuple[PassedArgument, ...], index: int
-) -> TypeValue | None:
-    """The type of a callback's parameter that is not bound; *every* argument of the call may be the object that it is a method of."""
-    value = argument.value.cell.value if isinstance(argument.value, Pointer) else argument.value
-    if isinstance(value, Object) and value.definition is not None:
-        value = methods.method_of(walk, value, "operator()") or value
-    if isinstance(value, Callable):
-        free = [p for n, p in enumerate(value.function.parameters) if n >= len(value.bound) or value.bound[n] is None]
-        if index >= len(free):
-            return None
-        scope = value.function.owner or value.function.name.rpartition("::")[0]
-        templates = value.templates or _templates_of(value.function.owner, every)
-        inner = Frame(value.source, scope, value.function, value.this, templates=templates)
-        return TypeValue(walk.type_in(free[index].type, inner))
-    kind = argument.type or conversions.value_type(value)
-    if kind is not None and kind.name in ("boost::function", "std::function") and kind.arguments:
-        inner_type = kind.of(0)
-        taken = inner_type.of(index + 1) if inner_type is not None and inner_type.name == "()" else None
-        if taken is not None:
-            return TypeValue(taken)
-    return None
