@@ -14,6 +14,7 @@ from collections.abc import Collection, Iterator, Mapping
 from haros_ci.records import dataclass
 from haros_ci.regex import regex
 from haros_ci.results.code_alone import code_alone
+from haros_ci.results.python_nodes import mentions
 from haros_ci.results.unreached import EXITING, EXITS, dead_parts, is_bound
 
 MAX_SOURCE = 500_000
@@ -40,6 +41,7 @@ _PLACE = regex(r"%(?:\((\w*)\))?[#0\- +]*(\*|\d+)?(?:\.(\*|\d+))?[hlL]?([diouxXe
 #: An import or an assignment in a comment: all that is imported, and what is assigned.
 _COMMENTED = regex(r"#[#\s]*(?:(?:from[ \t]+[\w.]+[ \t]+)?import\b[^#;]*|[A-Za-z_]\w*[ \t]*=(?!=))")
 _WORD = regex(r"[A-Za-z_]\w*")
+_LOGGER = regex(r"log|ros", re.IGNORECASE)
 _LOGS = frozenset("logdebug loginfo logwarn logerr logfatal debug info warn warning error critical fatal".split())
 
 
@@ -180,7 +182,7 @@ def _unparenthesised(call: ast.Call) -> Misfit | None:
     first, function = call.args[0], call.func
     if not isinstance(function, ast.Attribute) or function.attr not in _LOGS:
         return None
-    if not re.search("log|ros", ast.dump(function.value), re.IGNORECASE) or not isinstance(first, ast.BinOp):
+    if not mentions(function.value, _LOGGER) or not isinstance(first, ast.BinOp):
         return None
     places = _places(first)
     is_one = isinstance(first.right, (ast.Attribute, ast.Name, ast.Subscript, ast.Call, ast.Constant))

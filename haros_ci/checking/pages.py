@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from haros_ci.checking.project import Project
-from haros_ci.model.told_distribution import MAX_PAGE, is_page, names_noetic
+from haros_ci.model.named_distribution import MAX_PAGE, is_page, names_noetic
 
 
 def pages(project: Project) -> Iterator[str]:

@@ -9,7 +9,7 @@ from functools import lru_cache
 
 from haros_ci.checking.project import Project, ProjectPackage
 from haros_ci.model.location import Location
-from haros_ci.model.told_distribution import is_page
+from haros_ci.model.named_distribution import is_page
 from haros_ci.regex import regex
 
 _NAME = r"([A-Za-z0-9][\w.-]{0,100}?)[ \t]{0,9}(?:\[[\w ,.-]{0,200}\])?"

@@ -95,8 +95,8 @@ def is_hidden(kind: Type) -> bool:
     """Whether a type of C++, or that of a list's elements, is another name of one that is not known."""
     inner = kind.of(0) if kind.name in SEQUENCES else kind
     name = inner.name.removeprefix("const ") if inner is not None else ""
-    is_told = name in ("", "auto") or name.startswith(("decltype", "rclcpp::")) or inner is None
-    return not is_told and parameter_type(inner) is None
+    is_known = name in ("", "auto") or name.startswith(("decltype", "rclcpp::")) or inner is None
+    return not is_known and parameter_type(inner) is None
 
 
 def data_type(value: object) -> str | None:

@@ -10,6 +10,7 @@ from typing import NamedTuple
 from haros_ci.linters.constant_tests import constants_of, is_empty, leaves, truth
 from haros_ci.records import dataclass, field
 from haros_ci.regex import regex
+from haros_ci.results.python_nodes import mentions
 
 _FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda)
 _COMPREHENSIONS = (ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp)
@@ -232,7 +233,7 @@ class Names:
             isinstance(one, ast.Pass) or (isinstance(one, ast.Expr) and isinstance(one.value, ast.Constant))
             for one in node.body
         )
-        is_awaited = any(one.type is None or _NAME_ERROR.search(ast.unparse(one.type)) for one in node.handlers)
+        is_awaited = any(one.type is None or mentions(one.type, _NAME_ERROR) for one in node.handlers)
         inside = place.handled | _names(node.body) if is_awaited else place.handled
         self._block(node.body, place._replace(handled=inside))
         for handler in node.handlers:

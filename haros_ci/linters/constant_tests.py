@@ -7,6 +7,8 @@ import ast
 import operator
 from collections.abc import Iterable, Mapping
 
+from haros_ci.results.python_nodes import dotted
+
 #: How deep a condition, or an ``if`` that leaves its block, is looked into.
 DEEPEST = 20
 #: The version of Python that every robot with Python 3 has at least, as conditions ask for it.
@@ -114,8 +116,9 @@ def _compared(left: ast.expr, sign: ast.cmpop, right: ast.expr, given: Mapping[s
     if isinstance(left, ast.Name) and left.id == "__name__":
         other = right.value if isinstance(right, ast.Constant) else "__main__"
         return isinstance(sign, ast.NotEq) if isinstance(other, str) and not _is_module(other) else None
-    text = ast.unparse(left) if isinstance(left, ast.Attribute | ast.Subscript | ast.Name) else ""
-    if text in ("sys.version_info[0]", "sys.version_info.major", "version_info[0]"):
+    is_first = isinstance(left, ast.Subscript) and isinstance(left.slice, ast.Constant) and left.slice.value == 0
+    text = f"{dotted(left.value)}.major" if isinstance(left, ast.Subscript) and is_first else dotted(left)
+    if text in ("sys.version_info.major", "version_info.major"):
         major = _constant(right, {})
         return bool(compare(3, major)) if isinstance(major, int) else None
     if text in ("sys.version_info", "version_info") and isinstance(right, ast.Tuple):

@@ -9,6 +9,8 @@ from functools import lru_cache
 
 from haros_ci.linters.constant_tests import truth
 from haros_ci.linters.pylint_idioms import nodes
+from haros_ci.regex import regex
+from haros_ci.results.python_nodes import mentions
 from haros_ci.results.unreached import EXITING, EXITS, dead_parts, is_bound
 
 #: Errors of pylint that stand in dead code as well: of the compiler, which stops at the whole file, of what a function becomes by them, and of characters that
@@ -22,6 +24,7 @@ OF_FILES = frozenset(
     yield-outside-function
     """.split()
 )
+_VERSION, _CHECKING = regex(r"version_info"), regex(r"TYPE_CHECKING")
 #: From a line and byte to a line and byte, both included.
 _Range = tuple[tuple[int, int], tuple[int, int]]
 
@@ -72,8 +75,7 @@ def _dead(text: str) -> tuple[_Range, ...]:
 
 def _of_python2(node: ast.AST) -> Iterator[Sequence[ast.stmt]]:
     """The branch that no Python 3 runs, which is what pylint reads a file as."""
-    asked = ast.dump(node.test) if isinstance(node, ast.If) else ""
-    if isinstance(node, ast.If) and "version_info" in asked and "TYPE_CHECKING" not in asked:
+    if isinstance(node, ast.If) and mentions(node.test, _VERSION) and not mentions(node.test, _CHECKING):
         known = truth(node.test, {})
         if known is False:
             yield node.body

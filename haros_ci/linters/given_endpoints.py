@@ -11,6 +11,7 @@ from haros_ci.linters.pylint_idioms import nodes
 from haros_ci.model.workspace import Workspace
 from haros_ci.regex import regex
 from haros_ci.results.code_alone import code_alone
+from haros_ci.results.python_nodes import dotted
 from haros_ci.results.result import Notification
 from haros_ci.results.rule import Level
 
@@ -102,7 +103,7 @@ def given_in_python(text: str) -> Iterator[tuple[int, str]]:
             elif isinstance(part, ast.Attribute | ast.Name):
                 name = _name(part, modules)
                 if name in _OF_MODULES or (isinstance(part, ast.Attribute) and part.attr in _OF_NODES):
-                    yield part.lineno, ast.unparse(part)[:_QUOTED]
+                    yield part.lineno, (dotted(part) or _last(part))[:_QUOTED]
 
 
 def given_in_cpp(text: str) -> Iterator[tuple[int, str]]:
@@ -123,10 +124,5 @@ def _last(function: ast.expr) -> str:
 
 def _name(part: ast.expr, modules: dict[str, str]) -> str:
     """The whole name of *part*, as far as imports of the file tell."""
-    names: list[str] = []
-    while isinstance(part, ast.Attribute):
-        names.append(part.attr)
-        part = part.value
-    if not isinstance(part, ast.Name):
-        return ""
-    return ".".join((modules.get(part.id, part.id), *reversed(names)))
+    first, dot, rest = dotted(part).partition(".")
+    return f"{modules.get(first, first)}{dot}{rest}"

@@ -9,13 +9,12 @@ from collections.abc import Iterator
 from haros_ci.linters.constant_tests import constants_of, leaves, truth
 from haros_ci.linters.pylint_idioms import nodes
 from haros_ci.model.workspace import Workspace
-from haros_ci.regex import regex
+from haros_ci.results.python_nodes import dotted
 from haros_ci.results.result import Notification
 from haros_ci.results.rule import Level
+from haros_ci.results.unreached import EXITS
 
 _MODULES = ("setuptools", "distutils", "core")
-#: What ends the program.
-_EXITS = regex(r"(?:sys\.|os\._)?exit|quit")
 
 
 def notifications(head: Workspace, base: Workspace | None) -> tuple[Notification, ...]:
@@ -59,7 +58,7 @@ def _is_setup(function: ast.expr) -> bool:
 
 
 def _called(call: ast.Call) -> str:
-    return call.func.id if isinstance(call.func, ast.Name) else ast.unparse(call.func).partition(".")[0]
+    return dotted(call.func).partition(".")[0]
 
 
 def _bindings(every: tuple[ast.AST, ...], names: set[str]) -> Iterator[int]:
@@ -110,5 +109,5 @@ def _unrun(every: tuple[ast.AST, ...]) -> Iterator[ast.AST]:
 
 def _ends(statement: ast.AST, given: dict[str, object]) -> bool:
     if isinstance(statement, ast.Expr) and isinstance(statement.value, ast.Call):
-        return _EXITS.fullmatch(ast.unparse(statement.value.func)) is not None
+        return dotted(statement.value.func) in EXITS
     return isinstance(statement, ast.stmt) and leaves(statement, given)

@@ -7,6 +7,7 @@ import ast
 from collections.abc import Iterator
 
 from haros_ci.linters.pylint_idioms import nodes
+from haros_ci.results.python_nodes import is_same
 
 _DEFINITIONS = (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)
 
@@ -44,7 +45,7 @@ def is_the_same(text: str, line: int) -> bool:
             first = before.get(statement.name)
             begin = min([statement.lineno, *(decorator.lineno for decorator in statement.decorator_list)])
             if first is not None and begin <= line <= statement.lineno:
-                return ast.dump(first) == ast.dump(statement)
+                return is_same(first, statement)
             before[statement.name] = statement
     return False
 

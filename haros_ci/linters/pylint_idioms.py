@@ -12,6 +12,7 @@ from functools import lru_cache
 
 from haros_ci.linters.python_bindings import is_of_tests
 from haros_ci.regex import regex
+from haros_ci.results.python_nodes import dotted, is_same
 from haros_ci.results.scope import scopes
 
 #: Lines of one statement, and characters of a line, that are looked at.
@@ -126,7 +127,7 @@ def is_one_of_several(text: str, line: int) -> bool:
     target, values = statement.targets[0], statement.value.elts
     if not isinstance(target, ast.Tuple) or len(target.elts) != len(values):
         return False
-    return any(ast.unparse(one) != ast.unparse(other) for one, other in zip(target.elts, values, strict=True))
+    return any(not is_same(one, other) for one, other in zip(target.elts, values, strict=True))
 
 
 def _only_calls(node: ast.expr) -> bool:
@@ -220,7 +221,7 @@ def _is_given_back(text: str, line: int) -> bool:
         base, last = found.value.func.value, body[-1]
         is_base = isinstance(base, ast.Call) and isinstance(base.func, ast.Name) and base.func.id == "super"
         given = last.value if isinstance(last, ast.Return) else None
-        return is_base and isinstance(given, ast.Name) and any(ast.unparse(one) == given.id for one in found.targets)
+        return is_base and isinstance(given, ast.Name) and any(dotted(one) == given.id for one in found.targets)
     return False
 
 
@@ -231,9 +232,9 @@ def is_of_known_key(text: str, line: int) -> bool:
     target = statement.target if isinstance(statement, ast.AugAssign) else target
     if not isinstance(target, ast.Subscript) or not isinstance(target.slice, ast.Constant):
         return False
-    name, key = ast.unparse(target.value), target.slice.value
+    held, key = target.value, target.slice.value
     made = [node for node in nodes(text) if isinstance(node, ast.Assign) and 0 < line - node.lineno <= _MADE]
-    last = [node for node in made if any(ast.unparse(one) == name for one in node.targets)][-1:]
+    last = [node for node in made if any(is_same(one, held) for one in node.targets)][-1:]
     return any(
         isinstance(node.value, ast.Dict)
         and any(isinstance(one, ast.Constant) and one.value == key for one in node.value.keys)

@@ -12,6 +12,7 @@ from typing import TypeGuard
 
 from haros_ci.linters.pylint_idioms import nodes
 from haros_ci.regex import regex
+from haros_ci.results.python_nodes import is_same
 
 _SCOPES = (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)
 _NAN = regex(r"\bnan\b", re.IGNORECASE)
@@ -85,17 +86,17 @@ def is_one_text(text: str, line: int) -> bool:
         for other_node in arguments:
             if other_node.lineno != line or not _is_joined(text, other_node):
                 continue
-            if (
-                not isinstance(node, ast.Call)
-                or len(node.args) > 1
-                or node.keywords
-                or " " not in ast.unparse(other_node)
-            ):
+            if not isinstance(node, ast.Call) or len(node.args) > 1 or node.keywords or not _has_blank(other_node):
                 return False
             found = other_node.end_lineno == line
             if not found:
                 return False
     return found
+
+
+def _has_blank(node: ast.expr) -> bool:
+    """Whether one of the literals of a string has a blank."""
+    return any(isinstance(p, ast.Constant) and isinstance(p.value, str) and " " in p.value for p in ast.walk(node))
 
 
 def _is_joined(text: str, node: ast.expr) -> bool:
@@ -157,7 +158,7 @@ def is_test_for_nan(text: str, line: int) -> bool:
         and node.lineno <= line <= (node.end_lineno or 0)
         and len(node.ops) == 1
         and isinstance(node.ops[0], ast.NotEq)
-        and ast.dump(node.left) == ast.dump(node.comparators[0])
+        and is_same(node.left, node.comparators[0])
         for node in nodes(text)
     )
 

@@ -7,17 +7,19 @@ import ast
 from collections.abc import Iterable
 
 from haros_ci.regex import regex
+from haros_ci.results.python_nodes import dotted, mentions
 
 #: Modules whose ``raises`` and ``assertRaises`` fail unless what they call raises (docs.pytest.org, numpy.org, nose, testtools).
 _OF_TESTS = frozenset({"pytest", "_pytest.python_api", "nose.tools", "numpy.testing", "testtools", "unittest", "numpy"})
 _RAISES = regex(r"raises|assert_?[Rr]aises\w*")
+_NAME_ERROR = regex(r"NameError")
 _METHOD = regex(r"assert_?[Rr]aises\w*")
 _OF_VERSIONS = regex(r"version_info|hexversion|PY[23]|python_version\w*")
 
 
 def is_of_tests(function: ast.expr, nodes: Iterable[ast.AST]) -> bool:
     """Whether *function* is ``raises`` or ``assertRaises`` of a test framework: by an import of the file, or a method of the test that the file does not define."""
-    *owner, name = ast.unparse(function).split(".")
+    *owner, name = dotted(function).split(".")
     if _RAISES.fullmatch(name) is None:
         return False
     nodes = tuple(nodes)
@@ -59,7 +61,7 @@ def asks_for_version(nodes: Iterable[ast.AST], line: int) -> bool:
 
 def _tests_version(node: ast.AST) -> bool:
     if isinstance(node, ast.ExceptHandler):
-        return node.type is not None and "NameError" in ast.unparse(node.type)
+        return node.type is not None and mentions(node.type, _NAME_ERROR)
     if isinstance(node, ast.If | ast.IfExp | ast.While | ast.Assert):
         return any(
             _OF_VERSIONS.fullmatch(part.id if isinstance(part, ast.Name) else part.attr) is not None

@@ -9,6 +9,7 @@ from collections.abc import Iterable, Iterator
 from haros_ci.linters.constant_tests import constants_of, leaves, truth
 from haros_ci.linters.pylint_idioms import nodes
 from haros_ci.regex import regex
+from haros_ci.results.python_nodes import dotted, mentions
 
 _MISSING = regex(r"\b(?:ImportError|ModuleNotFoundError|AttributeError|Exception|BaseException)\b")
 
@@ -41,7 +42,7 @@ def taken(text: str) -> Iterator[tuple[str, str, int]]:
                 if package:
                     found.append((package, name, node.lineno))
                 imported[alias.asname or alias.name] = alias.name
-        elif isinstance(node, ast.Call) and _chain(node.func).rpartition(".")[2] == "import_module":
+        elif isinstance(node, ast.Call) and dotted(node.func).rpartition(".")[2] == "import_module":
             given_name = node.args[0].value if node.args and isinstance(node.args[0], ast.Constant) else None
             package, _, name = given_name.rpartition(".") if isinstance(given_name, str) else ("", "", "")
             if package.strip("."):
@@ -71,7 +72,7 @@ def _attributes(
         elif isinstance(node, ast.Call) and isinstance(node.func, ast.Name):
             if node.func.id in ("hasattr", "getattr", "setattr", "delattr"):
                 others.update(one.id for one in node.args[:1] if isinstance(one, ast.Name))
-        elif isinstance(node, ast.Attribute) and (name := _chain(node.value)) in imported:
+        elif isinstance(node, ast.Attribute) and (name := dotted(node.value)) in imported:
             if not isinstance(node.ctx, ast.Load):
                 given.add((name, node.attr))
             elif id(node) not in skipped:
@@ -82,24 +83,13 @@ def _attributes(
             yield imported[name], attribute, line
 
 
-def _chain(node: ast.expr) -> str:
-    """The dotted name that *node* is; "" for anything else."""
-    names: list[str] = []
-    while isinstance(node, ast.Attribute):
-        names.append(node.attr)
-        node = node.value
-    return ".".join((node.id, *reversed(names))) if isinstance(node, ast.Name) else ""
-
-
 def _unrun(node: ast.AST, given: dict[str, object]) -> Iterator[ast.AST]:
     """The parts of *node* that are not run, or that may fail: somebody awaits it."""
     if isinstance(node, ast.If | ast.While):
         known = truth(node.test, given)
         yield from node.body if known is False else ()
         yield from node.orelse if known is True else ()
-    elif isinstance(node, ast.Try) and any(
-        one.type is None or _MISSING.search(ast.unparse(one.type)) for one in node.handlers
-    ):
+    elif isinstance(node, ast.Try) and any(one.type is None or mentions(one.type, _MISSING) for one in node.handlers):
         yield from (*node.body, *node.handlers)
     for name in ("body", "orelse", "finalbody"):
         block = getattr(node, name, None)

@@ -6,6 +6,8 @@ from __future__ import annotations
 import ast
 from collections.abc import Collection, Iterable, Iterator, Sequence
 
+from haros_ci.results.python_nodes import dotted
+
 #: What leaves its block ("Simple statements" in Python's reference).
 _LEAVES = (ast.Return, ast.Raise, ast.Continue, ast.Break)
 #: What ends the program, and the names that nothing else may be called by.
@@ -54,7 +56,7 @@ def _leaves(statement: ast.stmt, exits: Collection[str]) -> bool:
     """Whether nothing behind *statement* in its block is run."""
     if isinstance(statement, ast.Expr) and isinstance(statement.value, ast.Call):
         function = statement.value.func
-        return isinstance(function, ast.Name | ast.Attribute) and ast.unparse(function) in exits
+        return dotted(function) in exits
     if isinstance(statement, ast.While):
         is_endless = isinstance(statement.test, ast.Constant) and bool(statement.test.value)
         return is_endless and not _breaks(statement.body)

@@ -11,7 +11,7 @@ from haros_ci.launch.facts.files import Finder
 from haros_ci.model.build import Build
 from haros_ci.model.environment import key_of
 from haros_ci.model.location import Location
-from haros_ci.model.told_distribution import MAX_PAGE, is_page, names_noetic
+from haros_ci.model.named_distribution import MAX_PAGE, is_page, names_noetic
 from haros_ci.model.workspace import Workspace
 from haros_ci.records import dataclass, field
 from haros_ci.robot.commands import xacro_command
