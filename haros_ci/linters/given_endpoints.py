@@ -4,16 +4,17 @@
 from __future__ import annotations
 
 import ast
-from collections.abc import Iterator
+from collections.abc import Callable, Iterable, Iterator
 
+from haros_ci.linters.changed_code import Found, brought, notes
 from haros_ci.linters.in_default import is_test
 from haros_ci.linters.pylint_idioms import nodes
+from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Workspace
 from haros_ci.regex import regex
 from haros_ci.results.code_alone import code_alone
 from haros_ci.results.python_nodes import dotted
 from haros_ci.results.result import Notification
-from haros_ci.results.rule import Level
 
 #: Places that are named; the rest is counted. Longer files are not looked at.
 MOST = 10
@@ -50,33 +51,21 @@ def notifications(head: Workspace, base: Workspace | None) -> tuple[Notification
     """A note for each such call of *head* that no file of *base* which changed or is gone has; none without a base."""
     if base is None:
         return ()
-    old, now = ({file.digest for file in one.files} for one in (base, head))
-    found = [
-        (file.path, line, name)
-        for file in head.files
-        if file.digest not in old and not file.third_party and not is_test(file.path) and head.reports_on(file.path)
-        for line, name in _given(file.language, head, file.path)
-    ]
-    if not found:
-        return ()
-    gone = (file for file in base.files if file.digest not in now)
-    known = {name for file in gone for _, name in _given(file.language, base, file.path)}
-    new = [one for one in found if one[2] not in known]
-    notes = [Notification(Level.NOTE, _message(name), path=path, line=line) for path, line, name in new[:MOST]]
-    rest = f"{len(new) - MOST} more calls of ROS are given to something that may call them since this change"
-    return (*notes, *([Notification(Level.NOTE, rest)] if len(new) > MOST else []))
+    rest = "calls of ROS are given to something that may call them since this change"
+    return notes(brought(head, base, _look), MOST, rest)
 
 
-def _message(name: str) -> str:
-    return f"since this change {name} is given to something that may call it: the model does not have what that makes; look at it"
+def _look(workspace: Workspace) -> Callable[[SourceFile], Iterable[Found]]:
+    effect = "is given to something that may call it: the model does not have what that makes; look at it"
 
+    def look(file: SourceFile) -> Iterator[Found]:
+        if file.language not in _LOOKS or is_test(file.path):
+            return
+        text = workspace.text(file.path)
+        for line, name in _LOOKS[file.language](text) if len(text) <= MAX_TEXT else ():
+            yield line, name, f"since this change {name} {effect}"
 
-def _given(language: str, workspace: Workspace, path: str) -> Iterator[tuple[int, str]]:
-    if language not in ("python", "cpp"):
-        return
-    text = workspace.text(path)
-    if len(text) <= MAX_TEXT:
-        yield from given_in_python(text) if language == "python" else given_in_cpp(text)
+    return look
 
 
 def given_in_python(text: str) -> Iterator[tuple[int, str]]:
@@ -126,3 +115,6 @@ def _name(part: ast.expr, modules: dict[str, str]) -> str:
     """The whole name of *part*, as far as imports of the file tell."""
     first, dot, rest = dotted(part).partition(".")
     return f"{modules.get(first, first)}{dot}{rest}"
+
+
+_LOOKS = {"python": given_in_python, "cpp": given_in_cpp}

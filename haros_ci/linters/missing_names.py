@@ -12,6 +12,7 @@ from collections.abc import Iterator
 from functools import cached_property
 from typing import NamedTuple
 
+from haros_ci.linters.changed_code import notes
 from haros_ci.linters.taken_names import taken
 from haros_ci.model.package import SourceFile
 from haros_ci.model.submodules import absent, is_below
@@ -19,7 +20,6 @@ from haros_ci.model.workspace import Workspace
 from haros_ci.regex import regex
 from haros_ci.results.module_names import EXTENSIONS, names_of
 from haros_ci.results.result import Notification
-from haros_ci.results.rule import Level
 
 #: Names that are mentioned; the rest is counted. Longer files are not looked at.
 MOST = 20
@@ -62,9 +62,8 @@ def notifications(head: Workspace, base: Workspace | None) -> tuple[Notification
             known = {(it.module, it.name) for path in edited & old.keys() for it in before.of(path)}
         was = {(it.module, it.name) for it in before.of(file.path)} | (known or set()) if found else set()
         new += ((file.path, one) for one in found if (one.module, one.name) not in was)
-    notes = (Notification(Level.NOTE, _message(one), path=path, line=one.line) for path, one in new[:MOST])
-    rest = f"since this change {len(new) - MOST} more names are taken from modules that do not have them"
-    return (*notes, *([Notification(Level.NOTE, rest)] if len(new) > MOST else []))
+    places = [(path, one.line, _message(one)) for path, one in new]
+    return notes(places, MOST, "names are taken from modules that do not have them, since this change")
 
 
 def _message(one: Missing) -> str:

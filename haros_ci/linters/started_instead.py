@@ -4,15 +4,15 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterable, Iterator
 from html import unescape
 
+from haros_ci.linters.changed_code import Found, brought, notes
 from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Workspace
 from haros_ci.regex import regex
 from haros_ci.results.code_alone import without_comments
 from haros_ci.results.result import Notification
-from haros_ci.results.rule import Level
 
 #: Prefixes that are named; the rest is counted. And characters of what is quoted.
 MOST = 10
@@ -49,28 +49,17 @@ def notifications(head: Workspace, base: Workspace | None) -> tuple[Notification
     """A note for each such prefix of *head* that no file of *base* which changed or is gone has; none without a base."""
     if base is None:
         return ()
-    old, now = ({file.digest for file in one.files} for one in (base, head))
-    found = [
-        (file.path, line, words)
-        for file in head.files
-        if file.digest not in old and not file.third_party and head.reports_on(file.path)
-        for line, words in _of(file, head)
-    ]
-    if not found:
-        return ()
-    known = {words for file in base.files if file.digest not in now for _, words in _of(file, base)}
-    new = [one for one in found if one[2] not in known]
-    notes = [
-        Notification(Level.NOTE, f"since this change {words}; look at it", path=path, line=line)
-        for path, line, words in new[:MOST]
-    ]
-    rest = f"{len(new) - MOST} more commands of launch files may start something else than the model has, since this change"
-    return (*notes, *([Notification(Level.NOTE, rest)] if len(new) > MOST else []))
+    rest = "commands of launch files may start something else than the model has, since this change"
+    return notes(brought(head, base, _look), MOST, rest)
 
 
-def _of(file: SourceFile, workspace: Workspace) -> Iterator[tuple[int, str]]:
-    if file.language in ("launch", "python", "xml", "yaml"):
-        yield from odd_prefixes(workspace.text(file.path), file.language)
+def _look(workspace: Workspace) -> Callable[[SourceFile], Iterable[Found]]:
+    def look(file: SourceFile) -> Iterator[Found]:
+        is_read = file.language in ("launch", "python", "xml", "yaml")
+        for line, words in odd_prefixes(workspace.text(file.path), file.language) if is_read else ():
+            yield line, words, f"since this change {words}; look at it"
+
+    return look
 
 
 def odd_prefixes(text: str, language: str) -> Iterator[tuple[int, str]]:

@@ -3,14 +3,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterator
 from functools import cached_property
 
+from haros_ci.linters.changed_code import Found, brought, notes
 from haros_ci.linters.never_bound import NeverBound, never_bound
+from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Workspace
 from haros_ci.regex import regex
 from haros_ci.results.result import Notification
-from haros_ci.results.rule import Level
 
 #: Names that are mentioned; the rest is counted.
 MOST = 20
@@ -23,23 +24,8 @@ def notifications(head: Workspace, base: Workspace | None) -> tuple[Notification
     """A note for each such name of a changed file of *head*, which no file of *base* that changed or is gone has for the same reason."""
     if base is None:
         return ()
-    after, before = _Names(head), _Names(base)
-    old = {file.digest for file in base.files}
-    now = {file.digest for file in head.files}
-    found = [
-        (file.path, one)
-        for file in head.files
-        if file.language == "python" and file.digest not in old and not file.third_party and head.reports_on(file.path)
-        for one in after.of(file.path)
-    ]
-    if not found:
-        return ()
-    gone = [file.path for file in base.files if file.language == "python" and file.digest not in now]
-    known = {(one.name, one.why) for path in gone for one in before.of(path)}
-    new = [(path, one) for path, one in found if (one.name, one.why) not in known]
-    notes = (Notification(Level.NOTE, _message(one), path=path, line=one.line) for path, one in new[:MOST])
-    rest = f"since this change {len(new) - MOST} more names have no value where they are used"
-    return (*notes, *([Notification(Level.NOTE, rest)] if len(new) > MOST else []))
+    new = brought(head, base, lambda workspace: _Names(workspace).look)
+    return notes(new, MOST, "names have no value where they are used, since this change")
 
 
 class _Names:
@@ -48,8 +34,11 @@ class _Names:
     def __init__(self, workspace: Workspace) -> None:
         self.workspace = workspace
 
-    def of(self, path: str) -> Iterable[NeverBound]:
-        return never_bound(self.workspace.text(path), lambda name: self._words.get(name, path) != path)
+    def look(self, file: SourceFile) -> Iterator[Found]:
+        path = file.path
+        if file.language == "python":
+            for one in never_bound(self.workspace.text(path), lambda name: self._words.get(name, path) != path):
+                yield one.line, (one.name, one.why), _message(one)
 
     @cached_property
     def _words(self) -> dict[str, str]:

@@ -10,6 +10,7 @@ import re
 from collections.abc import Iterator
 from posixpath import dirname, join, normpath
 
+from haros_ci.linters.changed_code import Place, notes
 from haros_ci.linters.dead_text import dead, is_in, joined
 from haros_ci.linters.in_default import is_test
 from haros_ci.model.package import SourceFile
@@ -18,7 +19,6 @@ from haros_ci.model.workspace import Workspace
 from haros_ci.regex import regex
 from haros_ci.results.code_alone import code_alone
 from haros_ci.results.result import Notification
-from haros_ci.results.rule import Level
 
 #: Files that are named; the rest is counted.
 MOST = 10
@@ -46,7 +46,7 @@ def notifications(head: Workspace, base: Workspace | None) -> tuple[Notification
     for file in head.files if aside else ():
         if not file.third_party and not is_test(file.path):
             usual.setdefault(file.path.rpartition("/")[2], []).append(file.path)
-    found = []
+    found: list[Place] = []
     for file in head.files if aside else ():
         if file.digest in known or file.third_party or is_test(file.path) or not head.reports_on(file.path):
             continue
@@ -56,19 +56,9 @@ def notifications(head: Workspace, base: Workspace | None) -> tuple[Notification
         used = sorted({path for name in new for path in _meant(name, file, aside, usual)})
         if used:
             more = f" and {len(used) - 1} more" if len(used) > 1 else ""
-            found.append(
-                Notification(
-                    Level.NOTE,
-                    f"since this change it uses {used[0]}{more}, a file of tests or of another project, on which little is reported",
-                    path=file.path,
-                )
-            )
-    rest = [
-        Notification(
-            Level.NOTE, f"{len(found) - MOST} more files use files of tests or of other projects since this change"
-        )
-    ]
-    return (*found[:MOST], *(rest if len(found) > MOST else []))
+            what = f"since this change it uses {used[0]}{more}, a file of tests or of another project, on which little is reported"
+            found.append((file.path, None, what))
+    return notes(found, MOST, "files use files of tests or of other projects since this change")
 
 
 def _named(file: SourceFile, text: str) -> Iterator[str]:
