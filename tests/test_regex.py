@@ -3,11 +3,13 @@
 
 from __future__ import annotations
 
+import ast
 import pickle
 import pkgutil
 import re
 from collections.abc import Iterator
 from importlib import import_module
+from pathlib import Path
 from typing import Any
 
 import haros_ci_checks
@@ -18,6 +20,7 @@ import haros_ci.extract.cpp.read  # its modules cannot be imported in any order
 from haros_ci.regex import regex
 
 LAZY = type(regex(""))
+PACKAGE, CHECKS = Path(haros_ci.__path__[0]), Path(haros_ci_checks.__path__[0])
 
 
 def _defined() -> Iterator[Any]:
@@ -85,3 +88,30 @@ def test_it_goes_to_other_processes() -> None:
 
 def test_what_it_does_not_have_is_an_attribute_error() -> None:
     assert not hasattr(regex("a"), "replace")
+
+
+def _at_import(tree: ast.AST) -> Iterator[ast.AST]:
+    """What runs when a module is imported."""
+    todo = [tree]
+    while todo:
+        node = todo.pop()
+        yield node
+        inner = ast.iter_child_nodes(node)
+        todo += [node.args] if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef) else list(inner)
+
+
+def test_modules_compile_nothing_when_they_are_imported() -> None:
+    found = []
+    for path in (*PACKAGE.rglob("*.py"), *CHECKS.glob("*.py")):
+        # parts are copied into files of users, workers are processes of their own that load nothing else of ours
+        if "parts" in path.parts or path.name.endswith("_worker.py") or path.name in ("regex.py", "records.py"):
+            continue
+        for node in _at_import(ast.parse(path.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.Call) and ast.unparse(node.func) == "re.compile":
+                found.append(f"{path.name}:{node.lineno}: write regex(), of haros_ci.regex or haros_ci.api")
+            elif isinstance(node, ast.ImportFrom) and node.module == "dataclasses":
+                if {"dataclass", "field"} & {alias.name for alias in node.names}:
+                    found.append(
+                        f"{path.name}:{node.lineno}: import dataclass and field from haros_ci.records or haros_ci.api"
+                    )
+    assert not found
