@@ -169,12 +169,12 @@ def _parameter(  # noqa: C901 - one branch for each way to declare a parameter
         declared = ros2_selectors.type_word(kind)
     elif isinstance(kind, Known):
         declared = ros2_parameter_type(syntax.Type(str(kind.value))) or str(kind.value)
-    is_told_not = isinstance(kind, TypeValue) and is_hidden(kind.type)
-    if declared is None and default is not None and not is_told_not:
+    is_type_hidden = isinstance(kind, TypeValue) and is_hidden(kind.type)
+    if declared is None and default is not None and not is_type_hidden:
         declared = ros2_data_type(data) if data is not None else ros2_parameter_type(conversions.value_type(default))
     is_told = why is None or ros2_parameters.is_telling(text)
     value, effective = _effective(applied, node, text if is_told else None, default, entry.kind)
-    if declared is None and entry.kind == "parameters" and not is_told_not:
+    if declared is None and entry.kind == "parameters" and not is_type_hidden:
         declared = ros2_data_type(value.held if isinstance(value, Given) else effective)
     if declared is None and ("type" in entry.values or "value" in entry.values):
         unknowns.append(("type", "the type of the parameter is not known", applied.location))
