@@ -75,6 +75,7 @@ def at_base(workspace: Workspace, settings: Settings) -> Iterator[Base | Baselin
                     max_file_size=settings.max_file_size,
                     also=settings.claims,
                     trusted=settings.trust_config,
+                    known=settings.base,
                 )
                 found = stack.enter_context(base)
         except BaselineUnavailable as err:
@@ -304,7 +305,7 @@ def _bytes_at_base(path: Path, name: str, settings: Settings) -> bytes | None:
         if path.is_relative_to(settings.root):
             raise BaselineUnavailable(settings.without_base)
         return None
-    base = base_commit(settings.root, settings.baseline_rev or "")
+    base = settings.base or base_commit(settings.root, settings.baseline_rev or "")
     if not base.holds(path):
         return None
     data = base.read(path)

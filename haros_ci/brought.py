@@ -44,7 +44,8 @@ def before(settings: Settings) -> Past | None:
         return None
     from haros_ci.workspace.past import past_of
 
-    return past_of(settings.root.resolve(), settings.baseline_rev, is_missing=bool(settings.base_missing))
+    is_missing = bool(settings.base_missing)
+    return past_of(settings.root.resolve(), settings.baseline_rev, base=settings.base, is_missing=is_missing)
 
 
 def silenced(

@@ -318,7 +318,7 @@ def settings_at(root: Path, rev: str | None, loaded: Callable[..., Settings]) ->
 
     try:
         base = base_commit(root, rev)
-        return loaded(base=base)
+        return replace(loaded(base=base), base=base)
     except BaselineUnavailable as err:
         return loaded(base_missing=str(err))
 

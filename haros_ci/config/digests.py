@@ -21,6 +21,7 @@ _REPORTING = frozenset(
         "imports",
         "baseline",
         "baseline_rev",
+        "base",
         "buffer",
         "base_missing",
         "require_baseline",

@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping
 from itertools import islice
 
-from haros_ci.config.selector import NO_MATCH, Rank, rank
+from haros_ci.config.selector import NO_MATCH, best_rank, rank
 from haros_ci.config.settings import Policy, Settings
 from haros_ci.model import globs
 from haros_ci.records import dataclass
@@ -94,7 +94,7 @@ class Selection:
         state = _apply(settings.policy, tool, rule, state)
         for entry in settings.local:
             selectors = (*entry.policy.select, *(selector for selector, level in entry.policy.levels if level))
-            if entry.profile or _best(selectors, tool, rule) > NO_MATCH:
+            if entry.profile or best_rank(selectors, tool, rule) > NO_MATCH:
                 state = _RuleState(True)
         state = _apply(settings.command_line, tool, rule, state)
         return state.on and not state.off
@@ -185,8 +185,8 @@ class Selection:
 def _apply(policy: Policy, tool: str, rule: Rule, before: _RuleState) -> _RuleState:
     if not (policy.select or policy.ignore or policy.levels):
         return before
-    selected = _best(policy.select, tool, rule)
-    ignored = _best(policy.ignore, tool, rule)
+    selected = best_rank(policy.select, tool, rule)
+    ignored = best_rank(policy.ignore, tool, rule)
     mapped, mapping = NO_MATCH, before.level
     for selector, level in policy.levels:
         here = rank(selector, tool, rule)
@@ -201,7 +201,3 @@ def _apply(policy: Policy, tool: str, rule: Rule, before: _RuleState) -> _RuleSt
     if mapped > NO_MATCH:
         off = mapping is None and mapped >= selected
     return _RuleState(on, mapping or before.level, off)
-
-
-def _best(selectors: tuple[str, ...], tool: str, rule: Rule) -> Rank:
-    return max((rank(selector, tool, rule) for selector in selectors), default=NO_MATCH)

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
+from functools import lru_cache
 
 from haros_ci.config.settings import PROFILES, Settings
 from haros_ci.config.suggestion import did_you_mean, nearest, quoted, suggestion
@@ -51,6 +52,31 @@ def rank(selector: str, tool: str, rule: Rule) -> Rank:
         if any(map(match, rule.aliases)):
             return (_GLOB, len(selector))
     return NO_MATCH
+
+
+def best_rank(selectors: tuple[str, ...], tool: str, rule: Rule) -> Rank:
+    """The highest rank that one of *selectors* has for *rule* of *tool*; NO_MATCH if none names it.
+
+    Plain words, which most selectors are, are looked up all at once: a run asks this of each rule of each linter.
+    """
+    words, others = _sorted_out(selectors)
+    best = max((rank(selector, tool, rule) for selector in others), default=NO_MATCH) if others else NO_MATCH
+    if not words:
+        return best
+    if rule.id in words or not words.isdisjoint(rule.deprecated_ids):
+        return max(best, (_ID, 0))
+    if not words.isdisjoint(rule.aliases):
+        return max(best, (_ALIAS, 0))
+    if tool in words or _HAROS + tool in words or not words.isdisjoint(rule.tags):
+        return max(best, (_TOOL_OR_TAG, 0))
+    return best
+
+
+@lru_cache(maxsize=256)
+def _sorted_out(selectors: tuple[str, ...]) -> tuple[frozenset[str], tuple[str, ...]]:
+    """Of *selectors* those that are plain words, and the others: globs, and those with a colon."""
+    others = tuple(selector for selector in selectors if ":" in selector or is_glob(selector))
+    return frozenset(selectors) - set(others), others
 
 
 def is_glob(selector: str) -> bool:

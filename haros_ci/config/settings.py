@@ -5,12 +5,16 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from haros_ci.model.access import AccessRule
 from haros_ci.model.declared_tool import DeclaredTool
 from haros_ci.model.workspace import Buffer
 from haros_ci.records import dataclass, field
 from haros_ci.results.rule import Level
+
+if TYPE_CHECKING:
+    from haros_ci.workspace.base_commit import BaseCommit
 
 PROFILES = ("ros", "strict", "google", "bugs-only", "architecture", "all")
 
@@ -85,7 +89,8 @@ class Settings:
 
     ``root`` is absolute; ``paths`` are POSIX-style, relative to it (``.`` is all of it). ``fail_on`` None never fails.
     ``baseline`` and ``compile_database`` are absolute or relative to ``root``, so ``root / value`` is right for both.
-    ``exact`` asks libclang for what the model does not know. ``base_missing`` says why the base revision that was asked for cannot be had, "" if it can or none was: then nothing that a change could
+    ``exact`` asks libclang for what the model does not know. ``base`` is the merge base of HEAD and ``baseline_rev``, found once for the whole run.
+    ``base_missing`` says why the base revision that was asked for cannot be had, "" if it can or none was: then nothing that a change could
     have brought counts, neither project file nor settings of tools nor marker files.
     ``with_copies``: copies of public packages have findings, too; else only where there is something to compare with.
     ``require_baseline`` None: a baseline need not be asked for, but one that is asked for must be had; False: it need not be had either.
@@ -128,6 +133,7 @@ class Settings:
     imports: tuple[str, ...] = ()
     baseline: str | None = None
     baseline_rev: str | None = None
+    base: BaseCommit | None = None
     base_missing: str = ""
     with_copies: bool = False
     require_baseline: bool | None = None

@@ -15,6 +15,7 @@ from haros_ci import scratch
 from haros_ci.model.workspace import Problem, Reader, Workspace
 from haros_ci.records import dataclass
 from haros_ci.workspace.assemble import Content, assemble
+from haros_ci.workspace.base_commit import BaseCommit
 from haros_ci.workspace.base_settings import BaseSettings
 from haros_ci.workspace.discover import MAX_FILE_SIZE, manifests_above, scope_of, unusable_name
 from haros_ci.workspace.excludes import Excludes
@@ -58,8 +59,10 @@ def base_workspace(
     use_merge_base: bool = True,
     also: Also | None = None,
     trusted: bool = False,
+    known: BaseCommit | None = None,
 ) -> Iterator[Base]:
-    """What discover would have found at the merge base of *rev* and HEAD (or at *rev* itself), for as long as it is needed.
+    """What discover would have found at the merge base of *rev* and HEAD (or at *rev* itself), for as long as it is needed; *known* is that merge base, if
+    it was found before in the same repository.
 
     *workspace* is the present one; *paths*, *exclude*, *max_file_size* and *also* are those it was discovered with. Linters have the
     settings of the base; if *workspace* is *trusted*, those of *workspace*, whose tools look for them on disk.
@@ -68,7 +71,10 @@ def base_workspace(
     """
     root = workspace.root
     repository = _repository(workspace)
-    commit = merge_base(repository.top, rev) if use_merge_base else resolve_commit(repository, rev)
+    if known is not None and known.top == repository.top:
+        commit = known.commit
+    else:
+        commit = merge_base(repository.top, rev) if use_merge_base else resolve_commit(repository, rev)
     try:
         links: dict[str, Blob] = {}
         tree = read_tree(repository, commit, workspace, links)

@@ -7,7 +7,7 @@ import os
 from pathlib import Path
 
 from haros_ci.records import dataclass
-from haros_ci.workspace.git import BaselineUnavailable, merge_base, read_at, repository_of
+from haros_ci.workspace.git import BaselineUnavailable, Repository, merge_base, read_in_commit, repository_of
 
 #: How far below a root that is in no repository one is looked for: ``ws/src/group/repository``.
 MAX_DEPTH = 3
@@ -30,7 +30,7 @@ class BaseCommit:
 
         BaselineUnavailable if it cannot be read.
         """
-        return read_at(self.top, self.commit, path.relative_to(self.top).as_posix())
+        return read_in_commit(Repository(self.top), self.commit, path.relative_to(self.top).as_posix())
 
 
 def base_commit(root: Path, rev: str) -> BaseCommit:

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import os
 import subprocess
+from functools import lru_cache
 from pathlib import Path
 from threading import Timer
 from typing import Any
@@ -104,7 +105,7 @@ def run_git(
 
     GitTooSlow, unless there is a *limit*, if it takes longer than *timeout* seconds.
     """
-    program = _program(repository.top)
+    program = _program(repository.top, os.environ.get("PATH", os.defpath))
     if program is None:
         raise GitError("git is not installed")
     argv = [program, "--literal-pathspecs", "--no-pager"]
@@ -246,12 +247,19 @@ def read_at(root: Path, rev: str, path: str) -> bytes | None:
     BaselineUnavailable as for merge_base.
     """
     repository, prefix = _repository_around(root)
+    return read_in_commit(repository, resolve_commit(repository, rev), path, prefix)
+
+
+def read_in_commit(repository: Repository, commit: str, path: str, prefix: str = "") -> bytes | None:
+    """The file at *prefix* and *path* (POSIX-style) as it is in *commit*, a name that git gave; None if there is no such regular file.
+
+    BaselineUnavailable if git cannot read it.
+    """
     parts = path.split("/")
     inner = "/".join(part for part in parts if part not in ("", "."))
     if not inner or path.startswith("/") or ".." in parts or "\0" in path:
         return None
     name = prefix + inner
-    commit = resolve_commit(repository, rev)
     try:
         entry = run_git(repository, "ls-tree", "-z", "--full-tree", commit, "--", name).rstrip(b"\0")
         kind, _, found = entry.partition(b"\t")
@@ -259,7 +267,7 @@ def read_at(root: Path, rev: str, path: str) -> bytes | None:
             return None
         return run_git(repository, "cat-file", "blob", kind.split()[2].decode("ascii"))
     except GitError as err:
-        raise BaselineUnavailable(f"{path} cannot be read in {rev!r}: {err}") from err
+        raise BaselineUnavailable(f"{path} cannot be read in {commit!r}: {err}") from err
 
 
 def _repository_around(root: Path) -> tuple[Repository, str]:
@@ -279,10 +287,11 @@ def control_text(path: Path) -> str:
         return ""
 
 
-def _program(top: Path) -> str | None:
-    """git by absolute path, from no directory of the work tree *top*, which may have been put on PATH."""
+@lru_cache(maxsize=64)
+def _program(top: Path, path: str) -> str | None:
+    """git by absolute path, from no directory of the work tree *top*, which may have been put on *path* (PATH)."""
     here = (top, top.resolve())
-    for directory in os.environ.get("PATH", os.defpath).split(os.pathsep):
+    for directory in path.split(os.pathsep):
         places = (Path(directory), Path(os.path.realpath(directory)))
         if not os.path.isabs(directory) or any(place.is_relative_to(root) for place in places for root in here):
             continue

@@ -7,9 +7,11 @@ from pathlib import Path
 from types import MappingProxyType
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from haros_ci.config.selection import Selection
-from haros_ci.config.selector import NO_MATCH, rank
+from haros_ci.config.selector import NO_MATCH, best_rank, rank
 from haros_ci.config.settings import PackagePolicy, PathPolicy, Policy, Settings
 from haros_ci.model.location import Location
 from haros_ci.results.result import Result
@@ -120,6 +122,24 @@ def test_aliases(selector: str, tool: str, rule: Rule) -> None:
 )
 def test_names_something_else(selector: str) -> None:
     assert rank(selector, "pylint", UNUSED) == NO_MATCH
+
+
+RULES = [(tool, rule) for tool, rules in CATALOGUE.items() for rule in rules.values()]
+WORDS = sorted(
+    {word for tool, rule in RULES for word in (tool, rule.id, *rule.aliases, *rule.tags, *rule.deprecated_ids)}
+)
+SELECTORS = st.one_of(
+    st.sampled_from(WORDS),
+    st.builds("{}:{}".format, st.sampled_from([*CATALOGUE, "haros_plugin_pylint"]), st.sampled_from([*WORDS, "*", ""])),
+    st.builds(lambda word, end: word[:end] + "*", st.sampled_from(WORDS), st.integers(0, 9)),
+    st.sampled_from(["", "*", ":", "haros_plugin_cpplint", "haros_plugin_metrics", "?[a-z]*", "nothing"]),
+)
+
+
+@given(st.lists(SELECTORS, max_size=6).map(tuple), st.sampled_from(RULES))
+def test_the_best_of_several(selectors: tuple[str, ...], of: tuple[str, Rule]) -> None:
+    one_by_one = max((rank(selector, *of) for selector in selectors), default=NO_MATCH)
+    assert best_rank(selectors, *of) == one_by_one
 
 
 @pytest.mark.parametrize(
