@@ -9,7 +9,7 @@ from difflib import get_close_matches
 
 from haros_ci.api import Check, Finding, Level, Project, ProjectPackage, regex
 from haros_ci.api.launch import similar_files
-from haros_ci.api.packages import CMakeCommand, exports, is_told_of, may_appear
+from haros_ci.api.packages import NO_ENTRIES, CMakeCommand, entries_of, exports, is_told_of, may_appear
 
 _KINDS = ("FILES", "PROGRAMS", "DIRECTORY")
 #: Keywords that end the list of files in install() and similar commands.
@@ -46,8 +46,9 @@ def check(project: Project) -> Iterator[Finding]:
     if not project.workspace.names:
         return
     for package in project.packages:
-        exported = _exported(package)
         commands = package.build.commands
+        named = frozenset(place for command in commands for word in command.arguments if (place := command.place(word)))
+        exported = _exported(package, named)
         if any(_MAKERS.match(c.name) or (c.name == "file" and "DOWNLOAD" in c.arguments[:1]) for c in commands):
             continue
         reported: set[str] = set()
@@ -59,7 +60,7 @@ def check(project: Project) -> Iterator[Finding]:
                 reported.add(path)
                 if is_told_of(package, path):
                     continue
-                yield _finding(project, package, command, word, path, exported)
+                yield _finding(package, command, word, path, exported, named)
 
 
 def _things(command: CMakeCommand) -> tuple[str, ...]:
@@ -82,18 +83,21 @@ def _things(command: CMakeCommand) -> tuple[str, ...]:
 
 
 def _finding(
-    project: Project, package: ProjectPackage, command: CMakeCommand, word: str, path: str, exported: Mapping[str, str]
+    package: ProjectPackage,
+    command: CMakeCommand,
+    word: str,
+    path: str,
+    exported: Mapping[str, str],
+    named: frozenset[str],
 ) -> Finding:
     shown = path.removeprefix(f"{package.path}/")
     folder = posixpath.dirname(path)
     prefix = f"{folder}/" if folder else ""
-    beside = {
-        name[len(prefix) :].partition("/")[0] for name in project.workspace.names if name.startswith(prefix or "")
-    }
+    beside = entries_of(package.project.workspace.names).get(folder, NO_ENTRIES).names
     only = exported.get(posixpath.splitext(path)[1])
     ended = [f"{prefix}{name}" for name in sorted(beside) if posixpath.splitext(name)[0] == posixpath.basename(path)]
     near = [only] if only else ended or similar_files(path, sorted(f"{prefix}{name}" for name in beside), package.name)
-    alike = _directory_like(path, package) if not near and not posixpath.splitext(path)[1] else ""
+    alike = _directory_like(path, package, named) if not near and not posixpath.splitext(path)[1] else ""
     if "*" in word or "?" in word:
         hint = "install() does not expand patterns; list the files with file(GLOB), or install the directory"
     elif near:
@@ -112,13 +116,11 @@ def _finding(
     )
 
 
-def _directory_like(path: str, package: ProjectPackage) -> str:
-    """The directory beside *path* that has another name for the same, or nearly its name, and that nothing installs; "" if none or several."""
+def _directory_like(path: str, package: ProjectPackage, named: frozenset[str]) -> str:
+    """The directory beside *path* that has another name for the same, or nearly its name, and is none of *named*; "" if none or several."""
     folder, _, base = path.rpartition("/")
     prefix = f"{folder}/" if folder else ""
-    names = (name[len(prefix) :] for name in package.project.workspace.names if name.startswith(prefix))
-    there = {name.partition("/")[0] for name in names if "/" in name}
-    named = {command.place(word) for command in package.build.commands for word in command.arguments}
+    there = entries_of(package.project.workspace.names).get(folder, NO_ENTRIES).directories
     free = sorted(name for name in there if f"{prefix}{name}" not in named and not name.startswith("."))
     same = next((words for words in _SAME if base.lower() in words), frozenset[str]())
     found = [name for name in free if name.lower() in same] or get_close_matches(base[:100], free[:_MOST], 2, 0.8)
@@ -130,8 +132,8 @@ def _builder(package: ProjectPackage) -> str:
     return "catkin_make install" if package.ros == 1 else "colcon build"
 
 
-def _exported(package: ProjectPackage) -> Mapping[str, str]:
-    """By suffix, the one file that the manifest exports, that is there and not installed: what is installed has to have it."""
+def _exported(package: ProjectPackage, installed: frozenset[str]) -> Mapping[str, str]:
+    """By suffix, the one file that the manifest exports, that is there and none of *installed*: what is installed has to have it."""
     named = {
         value for export in exports(package) for value in export.attributes.values() if value.startswith("${prefix}/")
     }
@@ -140,9 +142,6 @@ def _exported(package: ProjectPackage) -> Mapping[str, str]:
         if suffix := posixpath.splitext(value)[1]:
             by_suffix.setdefault(suffix, []).append(package.inside(value.removeprefix("${prefix}/")))
     only = {suffix: paths[0] for suffix, paths in by_suffix.items() if len(paths) == 1}
-    if not only:
-        return {}
-    installed = {command.place(word) for command in package.build.commands for word in command.arguments}
     return {suffix: path for suffix, path in only.items() if package.project.exists(path) and path not in installed}
 
 

@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage, dataclass, regex
 from haros_ci.api.code import weighed
 from haros_ci.api.launch import similar_files
-from haros_ci.api.packages import landings, may_appear
+from haros_ci.api.packages import landings, may_appear, paths_by_name
 
 #: What gives the directory of a package: ament_index_cpp, ament_index_python, roslib, rospkg.
 _DIRECTORY = (
@@ -108,11 +108,8 @@ def _finding(package: ProjectPackage, use: _FileUse) -> Iterator[Finding]:
     sources = [
         installed.path for installed in package.build.installed if f"{installed.destination}/{installed.name}" == place
     ]
-    sources += [
-        name
-        for name in project.workspace.names
-        if name.endswith(f"/{posixpath.basename(use.inner)}") and place in landings(package, name)
-    ]
+    alike = paths_by_name(project.workspace.names).get(posixpath.basename(use.inner), ())
+    sources += [name for name in alike if place in landings(package, name)]
     if sources:
         return
     if is_there:

@@ -305,7 +305,7 @@ def _bytes_at_base(path: Path, name: str, settings: Settings) -> bytes | None:
         if path.is_relative_to(settings.root):
             raise BaselineUnavailable(settings.without_base)
         return None
-    base = settings.base or base_commit(settings.root, settings.baseline_rev or "")
+    base = base_commit(settings.root, settings.baseline_rev or "", settings.base)
     if not base.holds(path):
         return None
     data = base.read(path)

@@ -45,7 +45,7 @@ def before(settings: Settings) -> Past | None:
     from haros_ci.workspace.past import past_of
 
     is_missing = bool(settings.base_missing)
-    return past_of(settings.root.resolve(), settings.baseline_rev, base=settings.base, is_missing=is_missing)
+    return past_of(settings.root.resolve(), settings.baseline_rev, known=settings.base, is_missing=is_missing)
 
 
 def silenced(

@@ -199,6 +199,9 @@ def fill() -> None:
     for made in gc.get_objects():
         if type(made) is type(regex.regex("")):
             made.fullmatch("" if isinstance(made.pattern, str) else b"")
+        elif isinstance(made, type) and getattr(vars(made).get("__init__"), "__module__", "") == "haros_ci.records":
+            with contextlib.suppress(TypeError, AttributeError):  # of None; it is compiled by then
+                made.__init__(None)
 
 
 def answered(asked: dict[str, Any], ours: tuple[int, ...]) -> int | None:

@@ -25,6 +25,7 @@ from haros_ci.checking.editing import (
     set_attribute,
     set_text,
 )
+from haros_ci.checking.entries import NO_ENTRIES, entries_of, paths_by_name
 from haros_ci.checking.imports import imported, imports_of, is_called_after
 from haros_ci.checking.installing import (
     install_commands,
@@ -162,6 +163,7 @@ __all__ = [
     "EXEC",
     "EXPORTED",
     "MACROS",
+    "NO_ENTRIES",
     "OF_PYTHON",
     "OF_TARGETS",
     "PLUGIN_NAME",
@@ -221,6 +223,7 @@ __all__ = [
     "distributions_of",
     "drop_element",
     "drop_lines",
+    "entries_of",
     "entry_point_mistake",
     "exported_under",
     "exports",
@@ -292,6 +295,7 @@ __all__ = [
     "only_for_tests",
     "others_of",
     "own_classes",
+    "paths_by_name",
     "pinned",
     "place",
     "plugin_library",

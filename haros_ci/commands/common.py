@@ -318,7 +318,7 @@ def settings_at(root: Path, rev: str | None, loaded: Callable[..., Settings]) ->
 
     try:
         base = base_commit(root, rev)
-        return replace(loaded(base=base), base=base)
+        return replace(loaded(base=base), base=(base.top, base.commit))
     except BaselineUnavailable as err:
         return loaded(base_missing=str(err))
 

@@ -5,16 +5,12 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from haros_ci.model.access import AccessRule
 from haros_ci.model.declared_tool import DeclaredTool
 from haros_ci.model.workspace import Buffer
 from haros_ci.records import dataclass, field
 from haros_ci.results.rule import Level
-
-if TYPE_CHECKING:
-    from haros_ci.workspace.base_commit import BaseCommit
 
 PROFILES = ("ros", "strict", "google", "bugs-only", "architecture", "all")
 
@@ -89,7 +85,8 @@ class Settings:
 
     ``root`` is absolute; ``paths`` are POSIX-style, relative to it (``.`` is all of it). ``fail_on`` None never fails.
     ``baseline`` and ``compile_database`` are absolute or relative to ``root``, so ``root / value`` is right for both.
-    ``exact`` asks libclang for what the model does not know. ``base`` is the merge base of HEAD and ``baseline_rev``, found once for the whole run.
+    ``exact`` asks libclang for what the model does not know. ``base`` is the merge base of HEAD and ``baseline_rev``, found once for the whole
+    run: the top directory of the repository, and the name of the commit.
     ``base_missing`` says why the base revision that was asked for cannot be had, "" if it can or none was: then nothing that a change could
     have brought counts, neither project file nor settings of tools nor marker files.
     ``with_copies``: copies of public packages have findings, too; else only where there is something to compare with.
@@ -133,7 +130,7 @@ class Settings:
     imports: tuple[str, ...] = ()
     baseline: str | None = None
     baseline_rev: str | None = None
-    base: BaseCommit | None = None
+    base: tuple[Path, str] | None = None
     base_missing: str = ""
     with_copies: bool = False
     require_baseline: bool | None = None

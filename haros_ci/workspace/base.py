@@ -15,7 +15,6 @@ from haros_ci import scratch
 from haros_ci.model.workspace import Problem, Reader, Workspace
 from haros_ci.records import dataclass
 from haros_ci.workspace.assemble import Content, assemble
-from haros_ci.workspace.base_commit import BaseCommit
 from haros_ci.workspace.base_settings import BaseSettings
 from haros_ci.workspace.discover import MAX_FILE_SIZE, manifests_above, scope_of, unusable_name
 from haros_ci.workspace.excludes import Excludes
@@ -59,7 +58,7 @@ def base_workspace(
     use_merge_base: bool = True,
     also: Also | None = None,
     trusted: bool = False,
-    known: BaseCommit | None = None,
+    known: tuple[Path, str] | None = None,
 ) -> Iterator[Base]:
     """What discover would have found at the merge base of *rev* and HEAD (or at *rev* itself), for as long as it is needed; *known* is that merge base, if
     it was found before in the same repository.
@@ -71,8 +70,8 @@ def base_workspace(
     """
     root = workspace.root
     repository = _repository(workspace)
-    if known is not None and known.top == repository.top:
-        commit = known.commit
+    if known is not None and known[0] == repository.top:
+        commit = known[1]
     else:
         commit = merge_base(repository.top, rev) if use_merge_base else resolve_commit(repository, rev)
     try:

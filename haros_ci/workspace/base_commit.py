@@ -33,11 +33,13 @@ class BaseCommit:
         return read_in_commit(Repository(self.top), self.commit, path.relative_to(self.top).as_posix())
 
 
-def base_commit(root: Path, rev: str) -> BaseCommit:
-    """The merge base of HEAD and *rev* in the repository that *root* lies in, or in the only one below it.
+def base_commit(root: Path, rev: str, known: tuple[Path, str] | None = None) -> BaseCommit:
+    """The merge base of HEAD and *rev* in the repository that *root* lies in, or in the only one below it; *known* if it was found before.
 
     BaselineUnavailable says why there is none.
     """
+    if known is not None:
+        return BaseCommit(*known)
     top = repository_of(root) or only_repository_below(root)
     return BaseCommit(top, merge_base(top, rev))
 

@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from haros_ci.records import dataclass, field
-from haros_ci.workspace.base_commit import BaseCommit, base_commit, only_repository_below
+from haros_ci.workspace.base_commit import base_commit, only_repository_below
 from haros_ci.workspace.git import BaselineUnavailable, GitError, Repository, repository_of, run_git
 
 #: What a listing of all files may have, in bytes.
@@ -29,15 +29,15 @@ class Past:
     is_known: bool = True
 
 
-def past_of(root: Path, rev: str, *, base: BaseCommit | None = None, is_missing: bool = False) -> Past:
-    """What the merge base of HEAD and *rev* holds below *root* (absolute), or *base* if it is known; no contents are read.
+def past_of(root: Path, rev: str, *, known: tuple[Path, str] | None = None, is_missing: bool = False) -> Past:
+    """What the merge base of HEAD and *rev* holds below *root* (absolute), or *known*, as base_commit has it; no contents are read.
 
     Where it cannot be had, which the comparison says, or *is_missing* says so, nothing was there.
     """
     try:
         if is_missing:
             raise BaselineUnavailable(rev)
-        base = base or base_commit(root, rev)
+        base = base_commit(root, rev, known)
         return Past(base.top, _entries(Repository(base.top), base.commit, root))
     except (BaselineUnavailable, GitError):
         return Past(_top(root), is_known=False)
