@@ -137,8 +137,7 @@ def _has_language(package: ProjectPackage, client: str) -> bool:
 
 
 def _has_interfaces(package: ProjectPackage) -> bool:
-    inside = package.inside("")
-    return any(name.startswith(inside) and name.endswith(_INTERFACES) for name in package.project.workspace.names)
+    return any(name.endswith(_INTERFACES) for name in package.project.below(package.path))
 
 
 def _is_cloned(project: Project, name: str) -> bool:

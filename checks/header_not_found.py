@@ -103,8 +103,7 @@ def _included(package: ProjectPackage) -> Iterator[tuple[str, Location]]:
 def _is_of_an_interface(owner: ProjectPackage, name: str) -> bool:
     """Whether the header is, or may be, one that is made of a message, service or action of *owner*, however that is spelt."""
     stem = posixpath.basename(name).partition(".")[0].replace("_", "").lower()
-    begin = "" if owner.path == "." else f"{owner.path}/"
-    files = (item for item in owner.project.workspace.names if item.startswith(begin) and item.endswith(_INTERFACES))
+    files = (item for item in owner.project.below(owner.path) if item.endswith(_INTERFACES))
     stems = {posixpath.basename(file).partition(".")[0].replace("_", "").lower() for file in files}
     return any(stem.startswith(item) for item in stems) or (bool(stems) and of_include(name) is not None)
 

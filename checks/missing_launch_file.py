@@ -4,11 +4,11 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 
 from haros_ci.api import Check, Finding, Level, System, regex
 from haros_ci.api.launch import FileUse, ParameterFileUse, included_by, meant
-from haros_ci.api.packages import is_ignored, writer_of
+from haros_ci.api.packages import entries_of, is_ignored, writer_of
 
 #: Files that nodes read; of others they may be the ones who write them.
 _READ = regex(r"\.(ya?ml|rviz|urdf|xacro|sdf|srdf|world|launch|launch\.\w+|py|lua|perspective|stl|dae|vcg)$", re.I)
@@ -36,7 +36,7 @@ def check(system: System) -> Iterator[Finding]:
     # Parameter files of ROS 2 nodes are reported by parameter-file-missing, also at the argument that names them.
     reported = {use.text for use in system.facts(ParameterFileUse) if use.is_found is False and use.ros == 2}
     lost: dict[tuple[object, ...], list[tuple[FileUse, str]]] = {}
-    folders = _folders(system)
+    folders = entries_of(system.workspace.names) if system.workspace is not None and system.workspace.names else ()
     for use in system.facts(FileUse):
         if use.is_found is not False or use.text in reported:
             continue
@@ -103,18 +103,7 @@ def _is_chosen(system: System, use: FileUse) -> bool:
     return any(other.fullmatch(name) for name in system.workspace.names)
 
 
-def _folders(system: System) -> frozenset[str]:
-    """The directories of the workspace that have a file in them, at whatever depth."""
-    found: set[str] = set()
-    for name in system.workspace.names if system.workspace is not None else ():
-        folder = name.rpartition("/")[0]
-        while folder and folder not in found:
-            found.add(folder)
-            folder = folder.rpartition("/")[0]
-    return frozenset(found)
-
-
-def _lost_folder(use: FileUse, folders: frozenset[str]) -> str:
+def _lost_folder(use: FileUse, folders: Collection[str]) -> str:
     """The highest directory above the file, inside its package, that does not exist; "" if there is none."""
     if use.path is None or not f"/{use.path}".endswith(f"/{use.inner}") or not folders:
         return ""

@@ -24,8 +24,8 @@ def check(project: Project) -> Iterator[Finding]:
             continue
         words = {
             word
-            for path in project.workspace.names
-            if path.endswith(_TEXTS) and (package.path == "." or path.startswith(f"{package.path}/"))
+            for path in project.below(package.path)
+            if path.endswith(_TEXTS)
             for word in re.findall(r"\w+", project.text(path))
         }
         for registration in missing:

@@ -6,6 +6,7 @@ from __future__ import annotations
 import posixpath
 import re
 from collections.abc import Iterator
+from itertools import islice
 
 from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage, dataclass, regex
 from haros_ci.api.code import weighed
@@ -119,7 +120,7 @@ def _finding(package: ProjectPackage, use: _FileUse) -> Iterator[Finding]:
         )
     else:
         prefix = "" if package.path == "." else f"{package.path}/"
-        own = sorted(name[len(prefix) :] for name in project.workspace.names if name.startswith(prefix))[:2000]
+        own = [name[len(prefix) :] for name in islice(project.below(package.path), 2000)]
         near = similar_files(use.inner, own, package.name)
         message = f"but {package.name} does not have this file: opening it fails" + (
             f"; did you mean {near[0]!r}?" if near else "; correct the path, or add the file"

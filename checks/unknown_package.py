@@ -14,7 +14,7 @@ _NAME = regex(r"[A-Za-z][\w-]*\Z")
 
 
 def check(system: System) -> Iterator[Finding]:
-    known = {dependency.name for package in system.packages.values() for dependency in package.dependencies}
+    known = system.whole.dependencies
     alone: bool | None = None
     seen: set[tuple[str, str]] = set()
     for use in system.facts(PackageUse):
@@ -51,7 +51,7 @@ def _level(meant: str | None, sure: bool) -> Level | None:
     return None if sure else Level.WARNING
 
 
-def _stands_alone(declared: set[str], system: System) -> bool:
+def _stands_alone(declared: frozenset[str], system: System) -> bool:
     """Whether all that the workspace declares is known: where it is not, there are packages that nobody here knows."""
     return all(name in system.packages or knowledge().is_known(name) for name in declared)
 

@@ -90,7 +90,7 @@ def _builds_for_both(package: ProjectPackage) -> bool:
 def _has_misspelt(package: ProjectPackage) -> bool:
     """Whether a file beside package.xml is nearly called CMakeLists.txt."""
     prefix = package.inside("")
-    names = (path[len(prefix) :] for path in package.project.workspace.names if path.startswith(prefix))
+    names = (path[len(prefix) :] for path in package.project.below(package.path))
     return any(is_slip(name, "CMakeLists.txt") for name in names if "/" not in name)
 
 

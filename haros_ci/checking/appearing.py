@@ -8,7 +8,7 @@ import re
 from collections.abc import Collection
 from functools import lru_cache
 
-from haros_ci.checking.project import ProjectPackage
+from haros_ci.checking.project import Project, ProjectPackage
 from haros_ci.model.globs import fault, matches
 from haros_ci.model.workspace import Workspace
 from haros_ci.regex import regex
@@ -48,9 +48,7 @@ def is_told_of(package: ProjectPackage, path: str) -> bool:
     inner = path if package.path == "." else path.removeprefix(f"{package.path}/")
     named = {f"{package.name}/{inner}", f"{posixpath.basename(package.path)}/{inner}"}
     own = "" if package.path == "." else f"{package.path}/"
-    for name in sorted(package.project.workspace.names):
-        if not name.lower().endswith(_PAGES) or _NO_PAGES.search(name):
-            continue
+    for name in package.project.sources.once("pages that tell", lambda: _pages(package.project)):
         words = {*named, inner} if name.startswith(own) else named
         text = package.project.text(name)[:_MAX_PAGE]
         if not any(word in text for word in words):
@@ -62,6 +60,12 @@ def is_told_of(package: ProjectPackage, path: str) -> bool:
                 return True
             before = line
     return False
+
+
+def _pages(project: Project) -> tuple[str, ...]:
+    """The pages and scripts of the workspace, without changelogs."""
+    names = project.below(".")
+    return tuple(name for name in names if name.lower().endswith(_PAGES) and not _NO_PAGES.search(name))
 
 
 def is_ignored(workspace: Workspace, path: str) -> bool:

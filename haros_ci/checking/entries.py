@@ -3,7 +3,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from bisect import bisect_left
+from collections.abc import Mapping, Sequence
 from functools import lru_cache
 
 from haros_ci.records import dataclass
@@ -18,6 +19,8 @@ class Entries:
 
 
 NO_ENTRIES = Entries()
+#: The character that follows the slash: all that begins with a directory and a slash sorts before it.
+_AFTER_A_SLASH = chr(ord("/") + 1)
 
 
 @lru_cache(maxsize=2)
@@ -39,10 +42,23 @@ def entries_of(names: frozenset[str]) -> Mapping[str, Entries]:
     return {folder: Entries(frozenset(held), frozenset(directories.get(folder, ()))) for folder, held in inside.items()}
 
 
+def below(names: frozenset[str], folder: str) -> Sequence[str]:
+    """Those of *names*, root-relative paths, that lie in the directory *folder* or deeper, in order; ``"."`` is the root."""
+    every = _in_order(names)
+    if folder in ("", "."):
+        return every
+    return every[bisect_left(every, f"{folder}/") : bisect_left(every, f"{folder}{_AFTER_A_SLASH}")]
+
+
+@lru_cache(maxsize=2)
+def _in_order(names: frozenset[str]) -> tuple[str, ...]:
+    return tuple(sorted(names))
+
+
 @lru_cache(maxsize=2)
 def paths_by_name(names: frozenset[str]) -> Mapping[str, tuple[str, ...]]:
     """Of *names*, root-relative paths, those that end with each name, in order."""
     found: dict[str, list[str]] = {}
-    for path in sorted(names):
+    for path in _in_order(names):
         found.setdefault(path.rpartition("/")[2], []).append(path)
     return {name: tuple(paths) for name, paths in found.items()}

@@ -33,10 +33,9 @@ def left_out_on_purpose(package: ProjectPackage) -> frozenset[str]:
 
     What catkin_create_pkg writes as an example (below a line with ``##``) counts for nothing.
     """
-    inside = package.inside("")
     found: set[str] = set()
-    for path in package.project.workspace.names:
-        if path.startswith(inside) and path.endswith("CMakeLists.txt"):
+    for path in package.project.below(package.path):
+        if path.endswith("CMakeLists.txt"):
             text = package.project.text(path)
             found.update(_left_out(text) if "install" in text else ())
     return frozenset(word.replace("${PROJECT_NAME}", package.name).rstrip("/") for word in found)

@@ -26,11 +26,10 @@ _SETTING = regex(r"#|export\b|source\b|\.\s|alias\b|unset\b|complete\b|[A-Za-z_]
 def is_given_to_another(path: str, package: ProjectPackage) -> bool:
     """Whether code of the package gives the file to an interpreter, or reads it: ``python3 x.py``, ``. x.sh``; by a variable of CMake, too."""
     name = path.rpartition("/")[2]
-    inside = "" if package.path == "." else f"{package.path}/"
     texts = {
         other: package.project.text(other)
-        for other in package.project.workspace.names
-        if other.startswith(inside) and other != path and not other.endswith(_PROSE)
+        for other in package.project.below(package.path)
+        if other != path and not other.endswith(_PROSE)
     }
     texts = {other: text for other, text in texts.items() if name in text}
     pattern = re.compile(_GIVEN % rf"\b{re.escape(name)}\b", re.MULTILINE)

@@ -19,11 +19,13 @@ _COMMENT = regex(r"<!--.*?(?:-->|\Z)|(?:^|(?<=\s))#[^\n]*", re.DOTALL)
 
 def owner(system: System, location: Location) -> Package | None:
     """The innermost package that the file at *location* lies in."""
-    path = location.path
-    found = [
-        package for package in system.packages.values() if package.path == "." or path.startswith(package.path + "/")
-    ]
-    return max(found, key=lambda package: len(package.path), default=None)
+    folder = location.path
+    while folder:
+        folder = folder.rpartition("/")[0]
+        found = system.packages_by_path.get(folder or ".")
+        if found is not None:
+            return found
+    return None
 
 
 def said_by(use: PackageUse, system: System) -> PackageUse:

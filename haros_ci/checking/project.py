@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Protocol
 
 from haros_ci.changes.revision import Revision, changes_of
 from haros_ci.checking.cmake import CMake
+from haros_ci.checking.entries import below
 from haros_ci.checking.system import System
 from haros_ci.knowledge.knowledge import Knowledge
 from haros_ci.knowledge.knowledge import knowledge as packaged
@@ -236,6 +237,15 @@ class Project:
             while (path := path.rpartition("/")[0]) and path not in found:
                 found.add(path)
         return frozenset(found)
+
+    def below(self, folder: str) -> Sequence[str]:
+        """The paths of all files in the root-relative directory *folder* or deeper, in order; ``"."`` is the root."""
+        return below(self.workspace.names, folder)
+
+    @cached_property
+    def python_paths(self) -> frozenset[str]:
+        """The paths of all Python files."""
+        return frozenset(file.path for file in self.workspace.files if file.path.endswith(".py"))
 
     @cached_property
     def submodules(self) -> tuple[str, ...]:

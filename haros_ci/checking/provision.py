@@ -229,12 +229,7 @@ def _is_idle_module(name: str, package: ProjectPackage) -> bool:
 def _families(package: ProjectPackage) -> frozenset[str]:
     """The Python, ``python`` or ``python3``, of the keys that *package* declares; if it has none, those of the whole workspace."""
     own = frozenset(filter(None, map(_family, package.declared)))
-    return own or frozenset(
-        filter(
-            None,
-            (_family(dependency.name) for raw in package.project.workspace.packages for dependency in raw.dependencies),
-        )
-    )
+    return own or package.project.sources.families
 
 
 def _family(key: str) -> str:
@@ -282,6 +277,12 @@ class Sources:
                 if file.language == "cpp":
                     found.setdefault(file.path.rpartition("/")[2], []).append((file.path, package.name))
         return found
+
+    @cached_property
+    def families(self) -> frozenset[str]:
+        """The Python, ``python`` or ``python3``, of the keys that the packages of the workspace declare."""
+        dependencies = (one.name for package in self.project.workspace.packages for one in package.dependencies)
+        return frozenset(filter(None, map(_family, dependencies)))
 
     @cached_property
     def file_names(self) -> frozenset[str]:

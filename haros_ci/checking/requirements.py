@@ -153,7 +153,7 @@ def _left(package: ProjectPackage) -> dict[str, Location]:
     found: dict[str, Location] = {}
     project = package.project
     names = project.workspace.names
-    installed = _installed(project)
+    installed = project.sources.once("installed requirements", lambda: _installed(project))
     folder, is_own = ("" if package.path == "." else package.path), True
     while True:
         for name, place in _told(project, folder):

@@ -247,6 +247,11 @@ class System:
     def name(self) -> str:
         return self.raw.name
 
+    @cached_property
+    def packages_by_path(self) -> Mapping[str, Package]:
+        """The packages by their root-relative directories, ``.`` for the root."""
+        return {package.path: package for package in self.packages.values()}
+
     @property
     def launch(self) -> tuple[str, ...]:
         """The launch files, ``package/path``; () for a node type alone."""

@@ -23,8 +23,7 @@ def loose(package: ProjectPackage) -> list[str]:
 
     None where something of its CMake files is unknown, or a command may compile what it does not name. A comment names nothing.
     """
-    inside = "" if package.path == "." else f"{package.path}/"
-    files = (name for name in package.project.workspace.names if name.startswith(inside) and is_cmake(name))
+    files = filter(is_cmake, package.project.below(package.path))
     texts = (package.project.text(name) for name in files)
     left = uncompiled(package.build, package.raw, (file.path for file in package.files), texts)
     return not_included(left, _included(package)) if left else []

@@ -31,7 +31,7 @@ def unreached(package: ProjectPackage, paths: Iterable[str]) -> frozenset[str]:
     used = {entry_point.path for entry_point in package.build.entry_points}
     used |= {installed.path for installed in package.build.installed if installed.kind != "directory"}
     candidates = {path for path in paths if path.endswith(".py") and path not in used}
-    python = {file.path for file in package.project.workspace.files if file.path.endswith(".py")}
+    python = package.project.python_paths
     if not candidates or len(python) > _MOST_FILES:
         return frozenset()
     loose = {path for path in python if path not in used and _is_loose(package, path)}

@@ -64,6 +64,12 @@ class Whole:
         return frozenset(place for system in self.systems for place in system.taken)
 
     @cached_property
+    def dependencies(self) -> frozenset[str]:
+        """The names of packages and keys of rosdep that any manifest of the workspace declares."""
+        packages = self.systems[0].packages.values() if self.systems else ()
+        return frozenset(dependency.name for package in packages for dependency in package.dependencies)
+
+    @cached_property
     def declared(self) -> Mapping[str, frozenset[str]]:
         """The names of parameters that any node is seen to declare, with the files that do."""
         found: dict[str, set[str]] = {}

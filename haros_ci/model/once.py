@@ -1,27 +1,26 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What follows from a table of API rows alone is worked out once: without rows of a project, every run has the same tables."""
+"""What follows from a tuple alone, as a table of API rows, is worked out once: without rows of a project, every run has the same tables."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from typing import TypeVar
 
-from haros_ci.model.api import Row
-
 T = TypeVar("T")
+Key = TypeVar("Key", bound=tuple[object, ...])
 #: So many tables of rows each function knows: those of two languages and two versions of ROS, and those of a project's own rows.
 TABLES = 8
 
 
-def once(make: Callable[[tuple[Row, ...]], T]) -> Callable[[tuple[Row, ...]], T]:
-    """*make*, called once for each tuple of rows that is the same object; what it returns is shared and must not be changed.
+def once(make: Callable[[Key], T]) -> Callable[[Key], T]:
+    """*make*, called once for each tuple that is the same object; what it returns is shared and must not be changed.
 
-    The last ``TABLES`` tuples are remembered, so that nothing is kept for long that rows of one project have led to. Rows are compared by
-    identity: they hold mappings, and to hash a table takes as long as what is made of it.
+    The last ``TABLES`` tuples are remembered, so that nothing is kept for long that one project has led to. They are compared by
+    identity: rows hold mappings, and to hash a table takes as long as what is made of it.
     """
-    made: dict[int, tuple[tuple[Row, ...], T]] = {}
+    made: dict[int, tuple[Key, T]] = {}
 
-    def found(rows: tuple[Row, ...]) -> T:
+    def found(rows: Key) -> T:
         known = made.get(id(rows))
         if known is None:
             if len(made) >= TABLES:

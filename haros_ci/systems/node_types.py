@@ -19,6 +19,7 @@ from haros_ci.model.api import Row
 from haros_ci.model.build import Build
 from haros_ci.model.launch import LaunchFile
 from haros_ci.model.once import once
+from haros_ci.model.package import Package
 from haros_ci.model.workspace import Workspace
 from haros_ci.substitutions.files import files_of
 from haros_ci.systems import client_libraries, definitions, gazebo_plugins, ros2_controllers, ros2_entries
@@ -126,12 +127,15 @@ def linked(workspace: Workspace, programs: Programs) -> dict[tuple[str, str], tu
 
 def path_name(workspace: Workspace, path: str) -> str:
     """``package/path`` as HAROS project files name launch files; the path itself outside any package."""
-    best = None
-    for package in workspace.packages:
-        inside = package.path == "." or path.startswith(f"{package.path}/")
-        if inside and (best is None or len(package.path) > len(best.path)):
-            best = package
-    if best is None:
-        return path
-    rest = path if best.path == "." else path[len(best.path) + 1 :]
-    return f"{best.name}/{rest}"
+    homes, folder = _homes(workspace.packages), path
+    while folder:
+        folder = folder.rpartition("/")[0]
+        if (name := homes.get(folder or ".")) is not None:
+            return f"{name}/{path[len(folder) + 1 :] if folder else path}"
+    return path
+
+
+@once
+def _homes(packages: tuple[Package, ...]) -> Mapping[str, str]:
+    """The names of *packages* by their directories."""
+    return {package.path: package.name for package in reversed(packages)}

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from itertools import islice
 
 from haros_ci.model.build import (
@@ -15,7 +16,8 @@ from haros_ci.model.build import (
     Target,
 )
 from haros_ci.model.faults import FAULTS, fault
-from haros_ci.model.package import Package
+from haros_ci.model.once import once
+from haros_ci.model.package import Package, SourceFile
 from haros_ci.model.workspace import Problem, Workspace
 from haros_ci.workspace.cmake import follow
 from haros_ci.workspace.cmake_configured import written_files
@@ -53,13 +55,21 @@ def builds(workspace: Workspace) -> dict[str, Build]:
     return linked(found, frozenset(package.name for package in workspace.packages if package.ros == 1))
 
 
+@once
+def _by_package(files: tuple[SourceFile, ...]) -> Mapping[str | None, Sequence[SourceFile]]:
+    found: dict[str | None, list[SourceFile]] = {}
+    for file in files:
+        found.setdefault(file.package, []).append(file)
+    return found
+
+
 def build_of(workspace: Workspace, package: Package, tree: PathTree | None = None) -> Build:
     """All of one package, read and never run. What cannot be known or read is among its problems; nothing is raised.
 
     *tree* may be given where several packages of one workspace are asked for.
     """
     tree = PathTree(workspace) if tree is None else tree
-    own = [file for file in workspace.files if file.package == package.name and _within(file.path, package.path)]
+    own = [file for file in _by_package(workspace.files).get(package.name, ()) if _within(file.path, package.path)]
     problems: list[Problem] = []
     cmake = f"{_base(package)}CMakeLists.txt"
     state = follow(tree, package) if tree.is_file(cmake) else CMakeState(tree, package)

@@ -6,7 +6,7 @@ from __future__ import annotations
 from hypothesis import given
 from hypothesis import strategies as st
 
-from haros_ci.checking.entries import Entries, entries_of, paths_by_name
+from haros_ci.checking.entries import Entries, below, entries_of, paths_by_name
 
 NAMES = frozenset({"README.md", "a/package.xml", "a/src/n.cpp", "a/src/deep/er/n.cpp", "b/n.cpp"})
 
@@ -44,3 +44,15 @@ def test_as_one_by_one(names: frozenset[str]) -> None:
         ]
         assert found[folder].names == {name.partition("/")[0] for name in inside}
         assert found[folder].directories == {name.partition("/")[0] for name in inside if "/" in name}
+
+
+def test_below_a_directory() -> None:
+    assert below(NAMES, "a/src") == ("a/src/deep/er/n.cpp", "a/src/n.cpp")
+    assert below(frozenset({"a", "a.b/c", "a/b", "a0/c", "aa/b"}), "a") == ("a/b",)
+    assert below(NAMES, ".") == below(NAMES, "") == tuple(sorted(NAMES))
+    assert below(NAMES, "c") == ()
+
+
+@given(st.frozensets(PATHS, max_size=8), PATHS)
+def test_below_as_one_by_one(names: frozenset[str], folder: str) -> None:
+    assert list(below(names, folder)) == sorted(name for name in names if name.startswith(f"{folder}/"))
