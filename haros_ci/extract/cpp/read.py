@@ -29,6 +29,8 @@ def read_cpp(text: str) -> Program:
         return Program("cpp", problems=((1, "too unlike C++ to parse in reasonable time: the file is not read"),))
     unit = unit_of(data)
     unit.found.splits = splits
+    whole = readable.encode("utf-8", "replace").decode("latin-1") if splits else ""
+    unit.found.directed = whole if len(whole) == len(data) else ""
     scopes.declare(unit, [root], CppScope(), 0)
     return _program(unit, readable)
 
