@@ -8,6 +8,7 @@ from dataclasses import replace
 from functools import partial
 from typing import Any
 
+from haros_ci.analysis import header_macros
 from haros_ci.analysis.api_rows import api_rows, plugin_rows
 from haros_ci.analysis.coverage import Calls
 from haros_ci.analysis.coverage_marks import marked
@@ -132,10 +133,11 @@ def _of_view(
     chosen_ones = configurations(workspace, project, problems, where) if requested is None else requested
     own = frozenset(package.name for package in workspace.packages)
     known = known_types(project.get("known_nodes"), where, problems, own) if known_nodes else None
+    sources = programs(workspace, built, store, problems, processes)
     link_all = partial(
         linked,
         workspace,
-        programs(workspace, built, store, problems, processes),
+        sources,
         launch_reader(workspace),
         built,
         api_rows(project.get("apis"), where, problems, plugin_rows(settings)),
@@ -147,7 +149,8 @@ def _of_view(
         share=timed("follow")(partial(shared, processes=processes)),
         alternatives=alternatives,
     )
-    made = link_all(keeper=keeper(workspace, store, common.records))
+    macros = header_macros.state({one.path: one.program for one in sources if one.program.language == "cpp"})
+    made = link_all(keeper=keeper(workspace, store, common.records, macros))
     if exact:
         from haros_ci.analysis.exactness import ask, doubtful, sourced
 

@@ -28,8 +28,10 @@ def _is_state(row: Any) -> bool:
     )
 
 
-def keeper(workspace: Workspace, store: Store, records: dict[str, Earlier | None] | None = None) -> Keeper:
-    """Where what nodes make is kept between runs: in *store*, beside the facts of the files.
+def keeper(
+    workspace: Workspace, store: Store, records: dict[str, Earlier | None] | None = None, macros: str = ""
+) -> Keeper:
+    """Where what nodes make is kept between runs: in *store*, beside the facts of the files, which *macros* of headers are part of.
 
     *records* has, and gets, those that have been read, for the other revision of a change.
 
@@ -45,7 +47,7 @@ def keeper(workspace: Workspace, store: Store, records: dict[str, Earlier | None
         return decoded(store.get_text(f"facts-{languages[path]}", path, f"{digest(OF_FACTS)} {bytes_}"))
 
     state = digest_of(sorted(files.items()))
-    code = digest(OF_FOLLOWED)
+    code = f"{digest(OF_FOLLOWED)} {macros}"
     short = {path: found[:SHORT] for path, found in files.items()}
 
     def recent(key: str) -> list[tuple[str, dict[str, str]]]:

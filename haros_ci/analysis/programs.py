@@ -5,8 +5,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from functools import partial
+from hashlib import sha256
 
-from haros_ci.analysis import foreign_code
+from haros_ci.analysis import foreign_code, header_macros
+from haros_ci.extract.cpp.read import Macro
 from haros_ci.extract.parameter_library import read_parameter_library
 from haros_ci.forks import shared
 from haros_ci.index.index import Source
@@ -57,7 +59,32 @@ def _read(workspace: Workspace, files: Iterable[SourceFile], store: Store, proce
         left = foreign_code.without_bases(workspace, copies, kept.values())
         kept |= _facts(workspace, (file for path, file in foreign.items() if path not in left), store, processes)
         kept |= {path: foreign_code.head(workspace.text(path)) for path in sorted(left)}
-    return kept
+    return kept | _with_macros(workspace, files, kept, store)
+
+
+def _with_macros(
+    workspace: Workspace, files: Iterable[SourceFile], kept: Mapping[str, Program | None], store: Store
+) -> dict[str, Program | None]:
+    """The programs of C++ files that use macros with parameters of headers, read again with these (``header_macros``)."""
+    cpp = {file.path: file for file in files if file.language == "cpp"}
+    known = {path: program for path in cpp if (program := kept[path]) is not None}
+    names = frozenset(header_macros.calling(known))
+    if not names:
+        return {}
+    mentions = {path: words for path in known if (words := header_macros.words_of(workspace.text(path), names))}
+    found: dict[str, Program | None] = {}
+    for path, macros in header_macros.given(known, mentions).items():
+        group, _, key = facts_at(cpp[path])
+        key = f"{key} {sha256(repr(macros).encode('utf-8', 'surrogatepass')).hexdigest()}"
+        text = store.get_text(group, path, key)
+        program = decoded(text)
+        if program is None:
+            text = read_facts(workspace, path, "cpp", macros)
+            program = decoded(text)
+            if text:
+                store.put_text(group, path, key, text)
+        found[path] = program or known[path]
+    return found
 
 
 def _facts(
@@ -98,11 +125,13 @@ def facts_at(file: SourceFile) -> tuple[str, str, str]:
     return f"facts-{file.language}", file.path, f"{digest(OF_FACTS)} {file.digest}"
 
 
-def read_facts(workspace: Workspace, path: str, language: str) -> str:
+def read_facts(workspace: Workspace, path: str, language: str, macros: Mapping[str, Macro] | None = None) -> str:
     """A file's facts as JSON has them; whoever asks for them decodes it, whether they are just read or come from the cache."""
     read: Callable[[str], Program]
     if language == "cpp":
-        from haros_ci.extract.cpp.read import read_cpp as read
+        from haros_ci.extract.cpp.read import read_cpp
+
+        read = partial(read_cpp, macros=macros)
     else:
         from haros_ci.extract.python.read import read_python as read
     try:

@@ -14,6 +14,7 @@ from haros_ci.follow import (
     call_arguments,
     construct,
     conversions,
+    converting,
     copies,
     expressions,
     guarded,
@@ -143,7 +144,9 @@ def invoke(
     walk.beyond += frame.is_dead
     walk.setting += is_setter
     try:
-        value = conversions.converted(follow_body(walk, inner, definition), returns)
+        value = follow_body(walk, inner, definition)
+        value = converting.converted(walk, inner, value, returns, Location(inner.source.path, definition.line))
+        value = conversions.converted(value, returns)
     finally:
         walk.beyond -= frame.is_dead
         walk.setting -= is_setter
@@ -216,6 +219,7 @@ def bind(
             if owner is not None:
                 value = construct.create(walk, inner, kind.bare(), (argument,), Location(inner.source.path))
         if kind.name:
+            value = converting.converted(walk, inner, value, kind, Location(inner.source.path, function.line))
             value = conversions.converted(value, kind)
         declared = kind if kind.name and kind.name != "auto" and kind.name not in inner.templates else argument.type
         if is_open and isinstance(value, Object):  # it may be a pointer

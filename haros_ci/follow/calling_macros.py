@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Macros with parameters that another file defines (``#define SERVER(nh, T, name) nh->create_service<T>(name, …)``): they are not expanded.
+"""Macros with parameters of another file (``#define SERVER(nh, T, name) nh->create_service<T>(name, …)``) that were not given to the file that uses them.
 
-Where the text of one calls an API, what it makes is missing; that is said of the node.
+They have several definitions, or are no expression or statement there. Where the text of one calls an API, what it makes is missing; that is said of the node.
 """
 
 from __future__ import annotations

@@ -12,6 +12,7 @@ from haros_ci.follow import (
     call_arguments,
     callbacks,
     conversions,
+    converting,
     copies,
     data_classes,
     expressions,
@@ -48,7 +49,8 @@ def declare(walk: Walk, frame: Frame, variable: syntax.Variable) -> None:
         if cell is None and "c" not in resolved.marks:
             uncertain.exposed(walk, frame, value_node)
         if cell is not None:
-            frame.declare(name, cell)
+            value = converting.converted(walk, frame, cell.value, resolved, location)
+            frame.declare(name, cell if value is cell.value else Cell(value, resolved))
             return
     declared = resolved if resolved.name != "auto" else None
     value = initial(walk, frame, resolved, init, location)
@@ -74,12 +76,9 @@ def initial(walk: Walk, frame: Frame, kind: Type, init: syntax.Init | None, loca
             return braces.from_list(walk, frame, kind, value)
         value = copies.taken(walk, frame, kind, init.value, value)
         if kind.name == "auto" or isinstance(value, Object):
-            return value
-        if (
-            isinstance(value, Known)
-            and issubclass(value.kind, str)
-            and walk.class_of(kind.name, frame.source) is not None
-        ):
+            return converting.converted(walk, frame, value, kind, location)
+        is_text = isinstance(value, Known) and issubclass(value.kind, str)
+        if is_text and walk.class_of(kind.name, frame.source) is not None:
             return create(walk, frame, kind, (call_arguments.PassedArgument(value),), location)
         if isinstance(value, Sequence):
             return Sequence(value.content, kind if kind.name in SEQUENCES else value.type, value.end)

@@ -26,7 +26,7 @@ from haros_ci.follow import (
     uncertain,
 )
 from haros_ci.follow.frames import Frame
-from haros_ci.follow.libraries import text_methods
+from haros_ci.follow.libraries import text_methods, texts
 from haros_ci.follow.walk import Walk
 from haros_ci.index.index import EITHER
 from haros_ci.index.types import is_smart_pointer, pointee
@@ -101,6 +101,9 @@ def cell_of(walk: Walk, frame: Frame, expression: Expression) -> Cell | None:
         return None if isinstance(value, Choice) else cell_of(walk, frame, expression.value)
     if isinstance(expression, (syntax.Address, syntax.Keyword, syntax.Cast)):
         return cell_of(walk, frame, expression.value)
+    if type(expression) is syntax.Assignment and frame.source.separator == "::":  # (a += b) += c
+        evaluate(walk, frame, expression)
+        return cell_of(walk, frame, expression.target)
     return None
 
 
@@ -111,6 +114,11 @@ def located(walk: Walk, frame: Frame, expression: Expression) -> tuple[Cell | No
         return cell, cell.value if cell is not None else lookup.no_variable(walk, frame, expression.name)
     if type(expression) is syntax.Member:
         return members.located(walk, frame, expression)
+    if type(expression) is syntax.Call and syntax.name_of(expression.callee) in texts.CHANGING:
+        walk.references = None
+        value = evaluate(walk, frame, expression)
+        changed = walk.references
+        return (changed[0] if changed is not None and len(changed) == 1 else None), value
     cell = (
         cell_of(walk, frame, expression)
         if (type(expression) is syntax.Subscript or type(expression) is syntax.Dereference)

@@ -26,7 +26,20 @@ from haros_ci.follow.walk import Walk
 from haros_ci.index.common_messages import NAMES
 from haros_ci.index.index import EITHER, Source
 from haros_ci.syntax import Type
-from haros_ci.values.abstract import NONE, Callable, Cell, ClassValue, Known, Library, Module, Object, Value, join, tick
+from haros_ci.values.abstract import (
+    NONE,
+    Callable,
+    Cell,
+    ClassValue,
+    Known,
+    Library,
+    Module,
+    Object,
+    Text,
+    Value,
+    join,
+    tick,
+)
 
 
 def named_cell(walk: Walk, frame: Frame, name: str) -> Cell | None:
@@ -222,6 +235,13 @@ def python_name(walk: Walk, frame: Frame, name: str) -> Value:
         if value is not None:
             del tried[frame.source.path]
             return value
+    if name == "__file__":
+        directory = walk.opaque("where the file lies is not known", frame)
+        return Text((directory, f"/{frame.source.path.rpartition('/')[2]}"))
+    if name == "__name__":
+        is_run = walk.is_program and frame.source.path in walk.files
+        module = "__main__" if is_run else frame.source.module
+        return Known(module) if module else walk.opaque("the name of the module is not known", frame)
     if not hasattr(builtins, name):
         return Library(python_modules.starred(walk, frame.source, name) or name)
     return Library(name)

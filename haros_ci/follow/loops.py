@@ -14,7 +14,8 @@ from haros_ci.follow.made import forget_dead, go_back, keep
 from haros_ci.follow.walk import TURNS, Walk
 from haros_ci.model.location import Location
 from haros_ci.syntax import Block, Expression, Type
-from haros_ci.values.abstract import Cell, Object, Opaque, Value, tick
+from haros_ci.syntax.walk import everything
+from haros_ci.values.abstract import Cell, Known, Object, Opaque, Value, tick
 
 #: Steps after which the turns of a loop are no longer gone through one by one; those of rehearsals in it that do not count.
 LONG, REHEARSED = 2_000, 8_000
@@ -25,6 +26,26 @@ TOO_LONG = f"{BOUND}{LONG} steps for the turns of a loop is reached"
 TOO_MANY = f"{BOUND}{TURNS} turns of a loop is reached"
 TOO_MANY_ITEMS = f"{BOUND}{TURNS * 4} elements of a loop is reached"
 TOO_DEEP = f"{BOUND}loops in loops is reached"
+#: Functions that read a character that they are given.
+READING = frozenset(
+    f"{space}{name}"
+    for space in ("", "::", "std::")
+    for name in (
+        *(
+            "toupper",
+            "tolower",
+            "isalnum",
+            "isalpha",
+            "isdigit",
+            "islower",
+            "isupper",
+            "isspace",
+            "ispunct",
+            "isxdigit",
+        ),
+        "to_string",
+    )
+)
 #: Why an element of a list that is empty as things are may be there all the same.
 NAMED = "the list is a matter of parameters"
 
@@ -178,6 +199,35 @@ def _goes_through(walk: Walk, frame: Frame, test: Expression | None) -> bool:
 
 
 def for_each(walk: Walk, frame: Frame, statement: syntax.Each) -> str:
+    """The turns for the elements of a container; a text whose characters a turn of C++ sets is not known behind it."""
+    text = _changed_text(walk, frame, statement)
+    ended = _each(walk, frame, statement)
+    if text is not None:
+        walk.state.write(text, walk.opaque("its characters are changed", frame, statement.line, text.type))
+    return ended
+
+
+def _changed_text(walk: Walk, frame: Frame, statement: syntax.Each) -> Cell | None:
+    """The variable with the text whose characters the body sets: ``for (auto& c : text) c = toupper(c);``."""
+    kind, iterable = statement.type, statement.iterable
+    if frame.source.separator != "::" or "&" not in kind.marks or "c" in kind.marks:
+        return None
+    cell = expressions.cell_of(walk, frame, iterable) if isinstance(iterable, (syntax.Name, syntax.Member)) else None
+    is_text = cell is not None and isinstance(cell.value, Known) and issubclass(cell.value.kind, str)
+    return cell if is_text and _sets(statement.body, syntax.Name(statement.name)) else None
+
+
+def _sets(body: Block, target: syntax.Name) -> bool:
+    """Whether a body assigns to a variable, or hands it to a function by its name, which may."""
+    return any(
+        (type(node) is syntax.Assignment and node.target == target)
+        or (type(node) is syntax.Call and type(node.callee) is syntax.Name and target in node.arguments)
+        for node in everything(body)
+        if not (type(node) is syntax.Call and type(node.callee) is syntax.Name and node.callee.name in READING)
+    )
+
+
+def _each(walk: Walk, frame: Frame, statement: syntax.Each) -> str:
     line, column, text = statement.line, statement.column, statement.text
     name, kind, iterable, body = statement.name, statement.type, statement.iterable, statement.body
     items, others = static_types.some_elements(walk, frame, iterable)

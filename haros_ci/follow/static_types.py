@@ -6,7 +6,7 @@ from __future__ import annotations
 from haros_ci import syntax
 from haros_ci.follow import conversions, enums, expressions
 from haros_ci.follow.frames import Frame
-from haros_ci.follow.libraries import python_numbers
+from haros_ci.follow.libraries import ordering, python_numbers
 from haros_ci.follow.walk import Walk
 from haros_ci.index.types import SEQUENCES
 from haros_ci.syntax import Expression, Type
@@ -43,6 +43,8 @@ def some_elements(
     value = expressions.evaluate(walk, frame, expression)
     if isinstance(value, Pointer):
         value = value.cell.value
+    if frame.source.separator == "::":
+        ordering.put(walk, value)
     if isinstance(value, Sequence) and isinstance(value.content.value, Opaque):
         if isinstance(value.content.value, Partial) and value.content.value.is_all:
             return list(value.content.value.some), None

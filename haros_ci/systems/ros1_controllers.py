@@ -7,7 +7,8 @@ is loaded under (controller_manager.cpp, controller.h, combined_robot_hw.cpp of 
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable as Callable_
+from collections.abc import Hashable, Iterable, Iterator, Mapping
 from dataclasses import replace
 from functools import partial
 
@@ -22,8 +23,10 @@ from haros_ci.graph.parameters import ParameterServer, Perhaps
 from haros_ci.index.index import Source
 from haros_ci.model.architecture import Node, Unknown
 from haros_ci.model.build import PluginClass
+from haros_ci.model.launch import Started
 from haros_ci.model.location import Location
 from haros_ci.model.workspace import Problem
+from haros_ci.records import dataclass
 from haros_ci.syntax import Class, Function
 from haros_ci.systems.entries import base_of, described_classes
 from haros_ci.systems.following import Instance, Types, incomplete, run_node
@@ -48,22 +51,79 @@ GIVEN = Perhaps("whoever loads it may set it")
 PLAIN = ("controller_interface::", "hardware_interface::", "std::", "boost::")
 
 
-def jobs(types: Types) -> Iterator[Job]:
-    """The classes that plug-in descriptions of ROS 1 packages name, in the order of their names."""
+#: The kind of what is no node, but a controller that a spawner asks for: its node has what it makes on the node of its manager.
+LOADED = "controller"
+
+
+@dataclass(frozen=True, slots=True)
+class PluginOfControl:
+    """A class that a description names *plugin*: its *base* class is one of ``LATER``, and it is made of *files*."""
+
+    plugin: PluginClass
+    base: str
+    source: Source
+    definition: Class
+    files: frozenset[str]
+
+
+def described(types: Types) -> dict[str, PluginOfControl]:
+    """The classes that plug-in descriptions of ROS 1 packages name, by these names."""
     builds = types.programs.builds.items()
     if not any(_base(plugin) for package, build in builds if _is_ros1(types, package) for plugin in build.plugins):
-        return
-    seen: set[int] = set()
-    found = {}
+        return {}
+    found: dict[str, PluginOfControl] = {}
     for plugin, source, definition, files in described_classes(types.programs):
         base = _base(plugin)
-        if base and _is_ros1(types, plugin.package) and id(definition) not in seen:
-            seen.add(id(definition))
-            begin = partial(_begin, source, definition, base)
-            entry = Entry(source, definition=definition, begin=begin, label="(ros_control)")
-            found[plugin.package, plugin.name] = entry, plugin.type.strip(), files
+        if base and _is_ros1(types, plugin.package):
+            found.setdefault(plugin.name, PluginOfControl(plugin, base, source, definition, files))
+    return found
+
+
+def jobs(types: Types, launched: Iterable[Job] = ()) -> Iterator[Job]:
+    """The classes that are none of the *launched*, each by itself, in the order of their packages and names."""
+    seen: set[Hashable] = {job.group for job in launched if job.node.kind == LOADED}
+    found = {}
+    for item in described(types).values():
+        if id(item.definition) not in seen:
+            seen.add(id(item.definition))
+            begin = partial(_begin, item.source, item.definition, item.base, None)
+            entry = Entry(item.source, definition=item.definition, begin=begin, label="(ros_control)")
+            found[item.plugin.package, item.plugin.name] = entry, item.plugin.type.strip(), item.files
     for (package, name), (entry, kind, files) in sorted(found.items(), key=lambda item: item[0]):
         yield _job(types, entry, files, package, name, kind)
+
+
+def loaded(
+    types: Types, item: PluginOfControl, spaces: tuple[str, str], by: Started, parameter: Callable_[[str], Value | None]
+) -> Job:
+    """A controller that a spawner *by* asks for; its handles are in *spaces*, that of the manager and its own, and *parameter* gives what is set.
+
+    Its node has the kind ``LOADED``, the name of its own space, and what it makes.
+    """
+    place = by.location
+    begin = partial(_begin, item.source, item.definition, item.base, spaces)
+    label = f"(ros_control {spaces[0]} {spaces[1]})"
+    entry = Entry(item.source, definition=item.definition, begin=begin, label=label)
+    package, name = item.plugin.package, item.plugin.name
+    kind = item.plugin.type.strip()
+    node = Node(
+        name=spaces[1],
+        kind=LOADED,
+        package=package,
+        type=name,
+        location=place,
+        process="/?",
+        class_name=kind,
+        conditions=by.conditions,
+    )
+
+    def follow() -> tuple[tuple[Node, ...], tuple[Problem, ...]]:
+        followed = run_node(types, entry, item.files, Instance("/?", "/", None, {}, "/?"), parameter)
+        ends = endpoints(followed.made, lambda made: made.name, parameter)
+        unknowns = incomplete(followed, entry, Location(item.source.path, item.definition.line))
+        return (replace(node, endpoints=ends, unknowns=unknowns),), followed.problems
+
+    return Job(node, id(item.definition), follow, size_of(types, item.files))
 
 
 def _base(plugin: PluginClass) -> str:
@@ -94,8 +154,10 @@ def _job(types: Types, entry: Entry, files: frozenset[str], package: str, name: 
     return Job(node, id(entry), follow, size_of(types, files), label=PLUGINS, is_loaded=True)
 
 
-def _begin(source: Source, definition: Class, base: str, walk: Walk, frame: Frame) -> None:
-    """Construct the class, hand it its node handles, and let the rest be called later."""
+def _begin(
+    source: Source, definition: Class, base: str, spaces: tuple[str, str] | None, walk: Walk, frame: Frame
+) -> None:
+    """Construct the class, hand it its node handles in these *spaces*, and let the rest be called later."""
     location = Location(source.path, definition.line)
     this = Object(definition.name, (), (source, definition), location=location)
     outside = next(
@@ -113,7 +175,7 @@ def _begin(source: Source, definition: Class, base: str, walk: Walk, frame: Fram
     for name in FIRST:
         for where, function in _overloads(walk, this, name):
             method = Callable(where, function, this, templates=this.templates)
-            activation.invoke(walk, frame, method, _arguments(walk, function, where, location))
+            activation.invoke(walk, frame, method, _arguments(walk, function, where, location, spaces))
     for name in LATER[base]:
         found = methods.method_of(walk, this, name)
         if found is not None:
@@ -143,7 +205,9 @@ def _handles(walk: Walk, function: Function, source: Source) -> list[int]:
     ]
 
 
-def _arguments(walk: Walk, function: Function, source: Source, location: Location) -> tuple[PassedArgument, ...]:
+def _arguments(
+    walk: Walk, function: Function, source: Source, location: Location, spaces: tuple[str, str] | None
+) -> tuple[PassedArgument, ...]:
     """The last node handle is below the plug-in's own name, one before it the manager's; what else is given is not known."""
     handles = _handles(walk, function, source)
     inner = Frame(source, function.owner, function)
@@ -151,7 +215,8 @@ def _arguments(walk: Walk, function: Function, source: Source, location: Locatio
     for number, parameter in enumerate(function.parameters):
         kind = walk.type_in(parameter.type, inner)
         if number in handles:
-            space: Value = Text(("/", Opaque(OWN, location))) if number == handles[-1] else Known("/")
+            own: Value = Known(spaces[1]) if spaces else Text(("/", Opaque(OWN, location)))
+            space = own if number == handles[-1] else Known(spaces[0] if spaces else "/")
             found.append(PassedArgument(Object(HANDLE, namespace=space), None, syntax.Type(HANDLE)))
         else:
             found.append(PassedArgument(walk.opaque("what a plug-in is given", inner, function.line, kind), None, kind))

@@ -41,7 +41,7 @@ def ros2_alone(types: Types, started: set[tuple[str, str]], launched: Iterable[J
     for package, name in sorted(types.hosted):
         yield ros2_system.plugin(types, package, name)
     yield from ros2_controllers.jobs(types, launched)
-    yield from ros1_controllers.jobs(types)
+    yield from ros1_controllers.jobs(types, launched)
     yield from gazebo_plugins.jobs(types, launched)
     yield from ros2_hosts.hosts(types)
     yield from loose_scripts.jobs(types)

@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterable
 from dataclasses import replace
 from pathlib import Path
 
+from haros_ci.model.loose_launches import is_loose_launch
 from haros_ci.model.package import Package, SourceFile
 from haros_ci.model.workspace import Buffer, Hiding, Problem, Workspace
 from haros_ci.records import dataclass
@@ -151,7 +152,7 @@ def assemble(
     found += _of_rosbuild(owned, names, reader)
     found += _of_sketches(names, reader)
     found += _of_no_package(owned, reader)
-    found += _launch_files_of_no_package(owned, reader)
+    found += _launch_files_of_no_package(owned, [package for package, _ in packages.values()], reader)
     return Workspace(
         root=root,
         packages=tuple(sorted((package for package, _ in packages.values()), key=lambda p: (p.path, p.name))),
@@ -258,8 +259,10 @@ def _of_no_package(files: Iterable[SourceFile], reader: TextReader) -> Iterable[
     yield from _in_no_package(found, ("Python program of ROS", "Python programs of ROS"), lost)
 
 
-def _launch_files_of_no_package(files: Iterable[SourceFile], reader: TextReader) -> Iterable[Problem]:
-    """One problem for all launch files that lie in no package: people start them by their paths, and they are no configuration."""
+def _launch_files_of_no_package(
+    files: Iterable[SourceFile], packages: list[Package], reader: TextReader
+) -> Iterable[Problem]:
+    """One problem for all launch files that lie in no package, nor beside one whose nodes they start: they are no configuration."""
     found = []
     for file in files:
         launches = _LAUNCHES.get(file.language)
@@ -267,7 +270,8 @@ def _launch_files_of_no_package(files: Iterable[SourceFile], reader: TextReader)
             *directories, name = file.path.split("/")
             if file.language == "python" and not name.endswith("launch.py"):
                 continue
-            if _TESTS.isdisjoint(directories) and launches.search(reader.text(file.path)):
+            text = reader.text(file.path) if _TESTS.isdisjoint(directories) else ""
+            if launches.search(text) and not is_loose_launch(file, packages, text):
                 found.append(file.path)
     yield from _in_no_package(
         found, ("launch file", "launch files"), "what is started there is no configuration of the model"

@@ -369,7 +369,7 @@ NOT_SURE = (
     case(
         "conversion",
         "C c; std::string s = c; ADV(s, 1);",
-        "/a|/?",
+        "/a",
         before='struct C { operator std::string() const { return "a"; } };',
     ),
     case(

@@ -169,6 +169,24 @@ def test_the_guard_of_a_main_block_is_no_condition() -> None:
     assert [conditions(end) for end in made] == [[]]
 
 
+#: Guards as they are written, whether what is below them is made, and whether it is ruled out.
+GUARDS = (
+    ('if __name__ == "main":', True, True),
+    ('if __name__ != "__main__":', True, True),
+    ('if __name__ in ("__main__", "n"):', True, False),
+    ('if not __name__ == "__main__":', True, True),
+    ('if "__main__" == __name__:', True, False),
+    ('if __name__ == "__main__" and True:', True, False),
+    ('if __name__ == "__main__" or False:', True, False),
+)
+
+
+@pytest.mark.parametrize(("guard", "is_made", "is_ruled_out"), GUARDS)
+def test_other_guards_with_the_name_of_the_module(guard: str, is_made: bool, is_ruled_out: bool) -> None:
+    made = ends(python(f'{guard}\n    PUB("a")\n'))
+    assert [end.is_ruled_out for end in made] == [is_ruled_out] * is_made
+
+
 def test_two_names_at_one_place_have_their_own_conditions() -> None:
     made = ends(python('def f(n):\n    PUB(n)\nf("a")\nif cond():\n    f("b")\n'))
     assert [(end.name, conditions(end)) for end in made] == [("/a", []), ("/b", [("if", "cond()", 8, 1)])]

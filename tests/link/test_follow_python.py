@@ -21,7 +21,7 @@ from follow_kit import (
 
 MODULES = {
     "names": (
-        'TOPIC = "a"\nBASE = "b"\n\ndef topic(n):\n    return BASE + "/" + n\n\nclass '
+        'TOPIC = "a"\nBASE = "b"\ndef file():\n    return __file__\ndef own():\n    return __name__\n\ndef topic(n):\n    return BASE + "/" + n\n\nclass '
         'C(object):\n    s = "c"\n    def name(self):\n        return self.s\n'
         'def change():\n    global TOPIC\n    TOPIC = "changed"\n'
     ),
@@ -125,6 +125,15 @@ RESOLVED = (
     case("function of a module", 'from lib.names import topic\nPUB(topic("x"))', "/b/x"),
     case("class of a module", "from lib.names import C\nPUB(C().name())", "/c"),
     case("main block", 'def main():\n    PUB("a")\nif __name__ == "__main__":\n    main()', "/a"),
+    case("file of the script", "import os\nPUB(os.path.splitext(os.path.basename(__file__))[0])", "/n"),
+    case("name of its file", "import os\nPUB(os.path.basename(os.path.abspath(__file__))[:-3])", "/n"),
+    case("end of its path", "import os\nPUB(os.path.split(__file__)[1].split('.')[0])", "/n"),
+    case("path without its ending", "import os\nPUB(os.path.basename(os.path.splitext(__file__)[0]))", "/n"),
+    case("its directory", "import os\nPUB(os.path.basename(os.path.dirname(__file__)))", "/?"),
+    case("the whole path", "PUB('a/' + __file__)", "/a/?/n.py"),
+    case("file of a module", "import os\nfrom lib.names import file\nPUB(os.path.basename(file())[:-3])", "/names"),
+    case("name of the script", "PUB(__name__)", "/__main__"),
+    case("name of a module", "from lib.names import own\nPUB(own())", "/lib.names"),
     case("partial", 'import functools\ndef f(x, n):\n    PUB(n + x)\nfunctools.partial(f, "b")("a")', "/ab"),
     case("rospy by another name", 'import rospy as r\nr.Publisher("a", String, queue_size=1)', "/a"),
     case("Publisher by another name", 'from rospy import Publisher as P\nP("a", String, queue_size=1)', "/a"),

@@ -646,3 +646,28 @@ def test_files_of_behaviour_trees(followed: list[str]) -> None:
                 True,
             )  # as it is started, alone, and with all trees where it needs them
         assert again(files, edited(files, "p/src/names.hpp", '"t"', '"x"'), followed, 2) == ([N], True)
+
+
+#: A header's macro that makes something, which a file sees over another header.
+OF_MACRO: Files = {
+    "p/CMakeLists.txt": CMAKE.format("p") + "include_directories(src)\nadd_executable(a src/a.cpp)\n",
+    "p/src/a.cpp": main('auto p = MADE("a");', '#include "all.h"\n'),
+    "p/src/all.h": '#include "made.h"\n',
+    "p/src/made.h": "#define MADE(n) nh.advertise<std_msgs::String>(n, 1)\n",
+}
+
+
+@pytest.mark.parametrize(
+    ("path", "text", "is_other"),
+    [
+        ("p/src/made.h", "#define MADE(n) nh.advertise<std_msgs::String>(n, 2)\n", True),
+        ("p/src/all.h", "\n", True),
+        ("p/src/made.h", OF_MACRO["p/src/made.h"] + "#define MADE(n) nh.advertise<std_msgs::String>(n, 2)\n", True),
+        ("p/src/made.h", "// as it was\n" + OF_MACRO["p/src/made.h"], False),
+        ("p/src/all.h", OF_MACRO["p/src/all.h"] + '#include "other.h"\n', False),
+    ],
+)
+def test_a_macro_of_a_header_is_another(path: str, text: str, is_other: bool, followed: list[str]) -> None:
+    """The file that uses it is the same, and its program is not."""
+    _, changed = again(OF_MACRO, {**OF_MACRO, path: text}, followed, None)
+    assert changed is is_other

@@ -26,6 +26,9 @@ OPENED = '#ifdef A\nADV("own", 1);\nif (p()) {\n#else\nif (q()) {\n#endif\n  ADV
 NAME = 'std::string s =\n#ifdef A\n"a"\n#else\n"b"\n#endif\n;\nADV(s, 1);\n'
 ARGUMENT = 'ADV(\n#ifdef A\n"a"\n#else\n"b"\n#endif\n, 1);\n'
 FURTHER = 'if (p()) ADV("one", 1);\n#ifdef A\nelse if (q()) { ADV("two", 1); }\n#endif\nelse { ADV("three", 1); }\n'
+LONGER = 'std::string s = "a"\n#ifdef A\n"b"\n#endif\n;\nADV(s, 1);\n'
+LAST = 'ADV("a", 1\n#ifdef A\n, true\n#endif\n);\n'
+HEAD = '#ifdef A\nif (p())\n#endif\nADV("own", 1);\n'
 
 
 @pytest.mark.parametrize(
@@ -47,6 +50,15 @@ FURTHER = 'if (p()) ADV("one", 1);\n#ifdef A\nelse if (q()) { ADV("two", 1); }\n
         (ARGUMENT.replace('"b"', "f()"), "", ["/?"]),
         (ARGUMENT, "A", ["/a"]),
         (FURTHER, "", ["/one", "/three", "/two#"]),
+        # what goes on in one with what is before it
+        (LONGER, "", ["/?"]),
+        (LONGER, "A", ["/ab"]),
+        (LONGER.replace("#ifdef A", "#if 0"), "", ["/a"]),
+        (LONGER.replace('"b"', "+ std::to_string(1)").replace('"a"', 'std::string("a")'), "A", ["/a1"]),
+        (LAST, "", ["/a"]),
+        (HEAD, "", ["/own"]),
+        (HEAD, "A", ["/own#"]),
+        (HEAD.replace("#ifdef A", "#if 0"), "", ["/own"]),
         # what does not stand in one
         (
             '#ifdef A\nADV("a", 1);\n#else\nADV("b", 1);\n#endif\n' + OPENED,
@@ -119,3 +131,10 @@ if (s()) {
 
 def test_one_inside_of_another() -> None:
     assert made(NESTED) == ["/inner#", "/outer"]
+
+
+def test_an_argument_that_may_be_there() -> None:
+    """Name, type and size are known, and whether it is latched is not."""
+    (end,) = (end for end in node(follow(cpp_files(main(LAST)))).endpoints if end.kind == "publishers")
+    assert (end.name, end.queue_size) == ("/a", 1)
+    assert [unknown.field for unknown in end.unknowns] == ["latched"]

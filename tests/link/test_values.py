@@ -455,7 +455,6 @@ UNKNOWN = (
 DEFECTS = (
     because(
         "an assignment to something that has no cell is passed over (assignments.assignment)",
-        "characters set in a loop",
         "set through an iterator",
     )
     | because(

@@ -17,6 +17,12 @@ _MIDDLE = tuple(",(=+-*/&|<?[")
 _LIST = regex(r"[=,({\]]\s*\{\Z")
 _NEVER = regex(r"\s*#\s*if\s+(?:0|false)\s*")
 _ELSE = regex(r"\s*#\s*else\s*")
+#: How a branch begins that goes on with an expression: no statement does.
+_ONWARDS = regex(r"\s*(?:[,.?=<>%/|^)]|&&|\+(?!\+)|-(?!-)|[0-9]|:(?!:))")
+#: How a branch begins that goes on with an expression if one is not finished before it.
+_EITHER = regex(r"\s*(?:[*&]|\[(?!\[))")
+#: The head of an ``if`` or of a loop, up to its bracket.
+_HEAD = regex(r"(?:\A|[;{}]|\belse\b)\s*(?:if(?:\s+constexpr)?|while|for)\s*\(")
 _PARTS = regex(r"[\[\](){},;]")
 _LONGEST = 2000
 
@@ -33,7 +39,7 @@ class Other(NamedTuple):
 class Split(NamedTuple):
     """The one branch that is left of a conditional: its *first* and *last* line, *line* and *text* of its directive, and the line of the *next* one.
 
-    *others* are the expressions of an ``#else``, by those of the branch in whose place they stand.
+    *others* are the expressions of an ``#else``, by those of the branch in whose place they stand; *is_alone* where there is no other branch.
     """
 
     first: int
@@ -42,6 +48,7 @@ class Split(NamedTuple):
     text: str
     next: int
     others: tuple[Other, ...] = ()
+    is_alone: bool = False
 
 
 def single(text: str) -> tuple[str, tuple[Split, ...]]:
@@ -59,7 +66,7 @@ def single(text: str) -> tuple[str, tuple[Split, ...]]:
             unfinished[-1].append(here)
             if word == "endif":
                 directives = unfinished.pop()
-                cuts = _cuts(bare, directives)
+                cuts = _cuts(text, bare, directives)
                 blanked.extend(cuts)
                 if cuts:
                     left.append(_left(text, bare, directives, _kept(bare, directives)))
@@ -84,6 +91,7 @@ def _left(text: str, bare: str, directives: list[tuple[int, int]], number: int) 
         " ".join(text[start:end].replace("\\\n", " ").split()),
         last + 1,
         others,
+        len(directives) == 2,
     )
 
 
@@ -121,19 +129,29 @@ def _part(text: str, start: int, end: int) -> tuple[str, int]:
     return " ".join(piece.split()), start + len(piece) - len(piece.lstrip())
 
 
-def _cuts(bare: str, directives: list[tuple[int, int]]) -> list[tuple[int, int]]:
+def _cuts(text: str, bare: str, directives: list[tuple[int, int]]) -> list[tuple[int, int]]:
     """What to blank of a conditional: nothing if each branch is whole."""
     spans = [(directives[i][1], directives[i + 1][0]) for i in range(len(directives) - 1)]
     before = bare[max(0, directives[0][0] - 400) : directives[0][0]].rstrip()
     after = bare[directives[-1][1] : directives[-1][1] + 400].lstrip()[:1]
     is_inside = before.endswith(_MIDDLE) or _LIST.search(before) is not None
-    if not is_inside and all(_is_whole(bare[start:end], after) for start, end in spans):
+    is_inside = is_inside or (_is_open(before) and any(_EITHER.match(bare[start:end]) for start, end in spans))
+    if not is_inside and all(_is_whole(text[start:end], bare[start:end], after) for start, end in spans):
         return []
     kept = _kept(bare, directives)
     return [*directives, *(span for index, span in enumerate(spans) if index != kept)]
 
 
-def _is_whole(branch: str, after: str) -> bool:
+def _is_open(before: str) -> bool:
+    """Whether what stands before a conditional may be part of an expression: it ends with a word or an index, and in no directive."""
+    last = before[before.rfind("\n") + 1 :]
+    return (before[-1:].isalnum() or before.endswith(("_", "]"))) and not last.lstrip().startswith("#")
+
+
+def _is_whole(text: str, branch: str, after: str) -> bool:
+    """Whether a *branch*, whose literals are blank and *text* has them, consists of statements or declarations."""
+    if _ONWARDS.match(branch) or (branch.isspace() and not text.isspace()):
+        return False
     depths = {"(": 0, "{": 0}
     for match in _BRACKETS.finditer(branch):
         bracket = match.group()
@@ -147,7 +165,22 @@ def _is_whole(branch: str, after: str) -> bool:
     stripped = branch.strip()
     if depths["("] or depths["{"] or stripped.startswith("else"):
         return False
-    return not (stripped and after == "{" and stripped[-1] not in ";}:")
+    if stripped.endswith(")") and after not in ("", ";") and _is_head(stripped):
+        return False
+    return not (stripped and after in ("{", ";") and stripped[-1] not in ";}:")
+
+
+def _is_head(branch: str) -> bool:
+    """Whether a branch ends with the head of an ``if`` or of a loop, whose body follows behind the branch."""
+    heads = {match.end() - 1 for match in _HEAD.finditer(branch)}
+    opened: list[int] = []
+    closed = -1
+    for match in _BRACKETS.finditer(branch):
+        if match.group() == "(":
+            opened.append(match.start())
+        elif match.group() == ")" and opened:
+            closed = opened.pop()
+    return closed in heads
 
 
 def _without(text: str, spans: list[tuple[int, int]]) -> str:

@@ -32,6 +32,8 @@ _CALLED = kinds("abstract_function_declarator")
 _PARAMETERS = kinds("parameter_list")
 _PLAIN = kinds("identifier")
 _OPERATORS = frozenset(("new", "delete", "throw", "not", "sizeof", "co_await"))
+_CALLS = regex(r'"(?:[^"\\]|\\.)*"|\'(?:[^\'\\]|\\.)*\'|\b([A-Za-z_]\w*)\s*\(', re.DOTALL)
+_PARTS = regex(r'"(?:[^"\\]|\\.)*"|\'(?:[^\'\\]|\\.)*\'|[(){}\[\],]', re.DOTALL)
 _TOKEN = regex(r'"(?:[^"\\]|\\.)*"|\'(?:[^\'\\]|\\.)*\'|##?\s*\w*|\w+', re.DOTALL)
 
 
@@ -92,10 +94,50 @@ def _text(unit: Unit, call: Node) -> str | None:
     parameters, body = macro
     texts = [unit.text[child.start_byte : child.end_byte] for child in argument.children if child.is_named]
     text = _substituted(body.encode().decode("latin-1"), parameters, texts)
-    return None if text is None or len(text) > _LONGEST else text
+    return None if text is None or len(text) > _LONGEST else _rescanned(unit, text, frozenset((unit.cut(function),)))
+
+
+def _rescanned(unit: Unit, text: str, within: frozenset[str]) -> str | None:
+    """*text* with the macros that stand in it as their bodies, but for those that it is *within* ([cpp.rescan]); None if it becomes too long."""
+    pieces, done = [], 0
+    for match in _CALLS.finditer(text):
+        macro = unit.found.callable_macros.get(match[1]) if match[1] and match[1] not in within else None
+        if macro is None or match.start() < done or len(within) >= _DEEPEST:
+            continue
+        if unit.found.expansions >= _MOST:
+            return None
+        unit.found.expansions += 1
+        texts, end = _given(text, match.end())
+        inside = _substituted(macro[1].encode().decode("latin-1"), macro[0], texts) if end else None
+        inside = _rescanned(unit, inside, within | {match[1]}) if inside is not None else None
+        if inside is None:
+            return None
+        pieces += [text[done : match.start()], inside]
+        done = end
+    found = "".join([*pieces, text[done:]])
+    return found if len(found) <= _LONGEST else None
+
+
+def _given(text: str, start: int) -> tuple[list[str], int]:
+    """What stands between the commas from *start* to the bracket that closes, and the place behind it; 0 where none does."""
+    depth, begun, found = 0, start, list[str]()
+    for match in _PARTS.finditer(text, start):
+        mark = match.group()
+        if not depth and mark in (",", ")"):
+            found.append(text[begun : match.start()].strip())
+            begun = match.end()
+            if mark == ")":
+                return ([] if found == [""] else found), begun
+        elif mark in "([{":
+            depth += 1
+        elif mark in ")]}":
+            depth -= 1
+    return found, 0
 
 
 def _substituted(body: str, parameters: tuple[str, ...], texts: list[str]) -> str | None:
+    if sum(map(len, texts)) > _LONGEST:
+        return None
     values = dict(zip(parameters, texts, strict=False))
     if parameters and parameters[-1] in ("...", "__VA_ARGS__"):
         values["__VA_ARGS__"] = ", ".join(texts[len(parameters) - 1 :])
@@ -112,6 +154,8 @@ def _substituted(body: str, parameters: tuple[str, ...], texts: list[str]) -> st
             return '"' + value.replace("\\", "\\\\").replace('"', '\\"') + '"'
         return values.get(word, word)
 
+    if len(body) > _LONGEST or sum(len(token(match)) for match in _TOKEN.finditer(body)) > _LONGEST:
+        return None
     return re.sub(r"\s*\0", "", _TOKEN.sub(token, body))
 
 

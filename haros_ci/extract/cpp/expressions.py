@@ -50,8 +50,11 @@ def expression(unit: Unit, node: Node, depth: int) -> syntax.Expression:
     if node.has_error and kind not in _MENDED and is_damaged(node):
         return damaged(unit, node, node.children, depth + 1)
     handler = _HANDLERS.get(kind)
-    if handler is not None and unit.found.splits and (split := unit.split(node)) is not None:
-        return splits.expression(unit, node, depth, split, expression)
+    if handler is not None and unit.found.splits:
+        if (split := unit.split(node)) is not None:
+            return splits.expression(unit, node, depth, split, expression)
+        if (further := splits.going_on(unit, node)) is not None:
+            return splits.longer(unit, node, depth, *further, expression)
     return unit.opaque(node) if handler is None else handler(unit, node, depth + 1)
 
 

@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from tree_sitter import Node
 
 from haros_ci.extract.cpp import blanks, branches, directives, scopes
@@ -11,11 +13,13 @@ from haros_ci.extract.cpp.unit import CppScope, Unit, unit_of
 from haros_ci.syntax import Program
 
 LARGEST = 4_000_000
+#: The parameters of a macro, and its text.
+Macro = tuple[tuple[str, ...], str]
 _COUNTED = 1000
 
 
-def read_cpp(text: str) -> Program:
-    """Lower a C++ source or header, any dialect from C++98 to C++20, without its includes.
+def read_cpp(text: str, macros: Mapping[str, Macro] | None = None) -> Program:
+    """Lower a C++ source or header, any dialect from C++98 to C++20, without its includes, but for *macros* of theirs that have parameters.
 
     All branches of its preprocessor conditionals are read. What cannot be read is left out, with a problem
     (at most five per file) where that is in a function; nothing is raised.
@@ -28,7 +32,10 @@ def read_cpp(text: str) -> Program:
     if root is None:
         return Program("cpp", problems=((1, "too unlike C++ to parse in reasonable time: the file is not read"),))
     unit = unit_of(data)
+    unit.found.callable_macros.update(macros or {})
     unit.found.splits = splits
+    whole = readable.encode("utf-8", "replace").decode("latin-1") if splits else ""
+    unit.found.directed = whole if len(whole) == len(data) else ""
     scopes.declare(unit, [root], CppScope(), 0)
     return _program(unit, readable)
 

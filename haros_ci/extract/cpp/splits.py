@@ -14,6 +14,10 @@ from haros_ci.extract.cpp.grammar import field, kinds
 from haros_ci.extract.cpp.unit import Unit
 
 _CALLED = kinds("call_expression")
+#: What may go on in a branch with what stands before it as its first part.
+_LONGER = kinds(
+    "binary_expression conditional_expression field_expression call_expression subscript_expression concatenated_string"
+)
 _MEMBERS = kinds("field_expression template_function qualified_identifier subscript_expression")
 _CONSEQUENCE = field("consequence")
 _ALTERNATIVE = field("alternative")
@@ -37,8 +41,8 @@ def statement(
     last = inside[-1] if inside else None
     last = last.body[-1] if type(last) is syntax.Nested and last.body else last
     previous = out[-1] if out else None
-    if type(last) is syntax.If and last.else_line and unit.split(node) is None:
-        branches.append(syntax.Branch(split.next, 1, "#else", last.other))
+    if type(last) is syntax.If and unit.split(node) is None:
+        branches.append(syntax.Branch(split.next, 1, "#else", last.other if last.else_line else last.then))
     elif type(previous) is syntax.Preprocessor and previous.branches[-1].line == split.line:
         branches = [syntax.replace(branches[0], body=(*previous.branches[-1].body, *inside))]
         out.pop()
@@ -46,13 +50,15 @@ def statement(
 
 
 def _cut(unit: Unit, node: Node) -> Split | None:
-    """The branch in which an ``if`` begins whose ``else`` has its body behind it: ``#ifdef A``, ``if (x) f(); else``, ``#endif``."""
+    """The branch in which an ``if`` begins whose body, or that of its ``else``, is behind it: ``#ifdef A``, ``if (x) f(); else``, ``#endif``."""
     then, other = node.child_by_field_id(_CONSEQUENCE), node.child_by_field_id(_ALTERNATIVE)
-    if then is None or other is None:
+    split = unit.split(node, whole=False) if then is not None else None
+    if then is None or split is None:
         return None
-    split = unit.split(node, whole=False)
     ended = unit.locate(then.end_byte - 1 + unit.shift)[0]
-    return split if split is not None and ended <= split.last < unit.position(other.children[-1])[0] else None
+    if other is None:
+        return split if split.is_alone and ended > split.last else None
+    return split if ended <= split.last < unit.position(other.children[-1])[0] else None
 
 
 def expression(
@@ -71,3 +77,34 @@ def expression(
     other = next((listed for listed in split.others if listed.own == text), None)
     instead = expansion.piece(unit, other.text, (other.line, other.column), depth) if other is not None else None
     return syntax.Conditional(syntax.Compiled(((split.line, 1, split.text),)), found, instead or unit.opaque(node))
+
+
+def going_on(unit: Unit, node: Node) -> tuple[Split, Node] | None:
+    """The branch in which *node* goes on and ends (``a``, ``#ifdef A``, ``+ 1``, ``#endif``), and the part of it that is before."""
+    if unit.fixed is not None or unit.level:
+        return None
+    before, after = node, node
+    while before.kind_id in _LONGER and before.child_count > 1:
+        before, after = before.children[0], before.children[1]
+        ended, begun = (unit.locate(offset + unit.shift)[0] for offset in (before.end_byte - 1, after.start_byte))
+        for split in unit.found.splits:
+            if split not in unit.found.within and ended < split.first <= begun <= split.last:
+                last = unit.locate(node.end_byte - 1 + unit.shift)[0]
+                return (split, before) if last <= split.last else None
+    return None
+
+
+def longer(
+    unit: Unit,
+    node: Node,
+    depth: int,
+    split: Split,
+    before: Node,
+    lower: Callable[[Unit, Node, int], syntax.Expression],
+) -> syntax.Expression:
+    """An expression that goes on in such a branch; where that is not compiled, what is before it alone: nothing is known where there is an ``#else``."""
+    outside, unit.found.within = unit.found.within, (*unit.found.within, split)
+    whole = lower(unit, node, depth)
+    alone = lower(unit, before, depth) if split.is_alone else unit.opaque(node)
+    unit.found.within = outside
+    return syntax.Conditional(syntax.Compiled(((split.line, 1, split.text),)), whole, alone)

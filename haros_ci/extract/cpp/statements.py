@@ -135,8 +135,8 @@ def _condition(unit: Unit, node: Node | None, depth: int, before: Statements) ->
     if node is None:
         return "", syntax.Unknown("")
     if node.kind_id not in _CONDITIONS:
-        return unit.collapsed(node.start_byte, node.end_byte), expressions.expression(unit, node, depth)
-    text = unit.collapsed(node.start_byte + 1, node.end_byte - 1)
+        return unit.written(node.start_byte, node.end_byte), expressions.expression(unit, node, depth)
+    text = unit.written(node.start_byte + 1, node.end_byte - 1)
     value: syntax.Expression = syntax.Unknown(text)
     if expressions.is_damaged(node):
         return text, expressions.damaged(unit, node, node.children, depth)
@@ -199,7 +199,7 @@ def _for(unit: Unit, node: Node, depth: int, out: Statements) -> None:
     if first is not None:
         before = block(unit, [first], depth)
     condition = node.child_by_field_id(_CONDITION)
-    text = "" if condition is None else unit.collapsed(condition.start_byte, condition.end_byte)
+    text = "" if condition is None else unit.written(condition.start_byte, condition.end_byte)
     value = None if condition is None else expressions.expression(unit, condition, depth)
     body = _body(unit, node.child_by_field_id(_BODY), depth)
     update = node.child_by_field_id(_UPDATE)
@@ -224,7 +224,7 @@ def _each(unit: Unit, node: Node, depth: int, out: Statements) -> None:
     right = node.child_by_field_id(_RIGHT)
     body_node = node.child_by_field_id(_BODY)
     value: syntax.Expression = syntax.Unknown("") if right is None else expressions.expression(unit, right, depth)
-    text = "" if right is None else unit.collapsed(children[start].start_byte, right.end_byte)
+    text = "" if right is None else unit.written(children[start].start_byte, right.end_byte)
     names: Statements = []
     if declared is not None and declared.node.kind_id in _PATTERN:
         _variable(unit, (declared, None), depth, names)

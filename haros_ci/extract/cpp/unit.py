@@ -45,6 +45,8 @@ class Found:
     splits: tuple[Split, ...] = ()
     #: Those of them that what is read is known to stand in, the outermost first.
     within: tuple[Split, ...] = ()
+    #: The text with the directives of these conditionals; empty where it has none.
+    directed: str = ""
 
 
 @dataclass(slots=True)
@@ -72,9 +74,13 @@ class Unit:
 
     def collapsed(self, start: int, end: int) -> str:
         """The source text between two offsets on one line, shortened to what a person reads."""
-        if end - start > 4 * _LONGEST_TEXT:
-            end = start + 4 * _LONGEST_TEXT
-        return " ".join(decoded(self.text[start:end]).split())[:_LONGEST_TEXT]
+        return _shortened(self.text, start, end)
+
+    def written(self, start: int, end: int) -> str:
+        """The same, with the directives and branches of conditionals of which only one branch is read."""
+        if not self.found.directed or self.fixed is not None or self.level:
+            return self.collapsed(start, end)
+        return _shortened(self.found.directed, start + self.shift, end + self.shift)
 
     def position(self, node: Node) -> tuple[int, int]:
         """Line and column of the start of *node* in the file."""
@@ -137,6 +143,12 @@ class CppScope:
 def decoded(piece: str) -> str:
     """*piece* of a Unit's text as it was written."""
     return piece if piece.isascii() else piece.encode("latin-1").decode("utf-8", "replace")
+
+
+def _shortened(text: str, start: int, end: int) -> str:
+    if end - start > 4 * _LONGEST_TEXT:
+        end = start + 4 * _LONGEST_TEXT
+    return " ".join(decoded(text[start:end]).split())[:_LONGEST_TEXT]
 
 
 def unit_of(data: bytes) -> Unit:

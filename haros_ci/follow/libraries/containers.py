@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from haros_ci import syntax
 from haros_ci.follow import alternatives, assignments, construct, conversions, copies, indexing
 from haros_ci.follow.frames import Frame, of_element
-from haros_ci.follow.libraries import elements, tuples
+from haros_ci.follow.libraries import elements, ordering, tuples
 from haros_ci.follow.walk import Walk
 from haros_ci.index.types import is_smart_pointer
 from haros_ci.model.location import Location
@@ -93,6 +93,7 @@ def _range(first: Value, end: Value) -> list[Value] | None:
 
 
 def sequence(walk: Walk, frame: Frame, receiver: Sequence, name: str, args: tuple[PassedArgument, ...]) -> Value | None:  # noqa: C901 - one branch for each method
+    ordering.put(walk, receiver)
     cells = receiver.content.value
     known = isinstance(cells, tuple)
     held = cells if isinstance(cells, tuple) else ()
@@ -190,6 +191,8 @@ def mapped(
     walk: Walk, frame: Frame, receiver: Mapped, name: str, args: tuple[PassedArgument, ...], kind: Type | None = None
 ) -> Value | None:
     """A method of a map, of the type *kind* where that is known; None if there is no model of it."""
+    if name in ("begin", "cbegin"):
+        ordering.put(walk, receiver)
     pairs = receiver.content.value
     args = elements.mapped(walk, frame, kind, name, args)
     if name in ("size", "empty", "count") and isinstance(pairs, dict):

@@ -253,11 +253,9 @@ def method(  # noqa: C901 - one branch for each kind of receiver
     if isinstance(receiver, (Known, Text, Opaque)) and name in ("append", "push_back") and cell is not None and args:
         kind = cell.type
         if kind is not None and kind.name in STRINGS:
-            walk.state.write(cell, concatenate((receiver, texts.constructed(args))))
-            return cell.value
+            return texts.changed(walk, cell, concatenate((receiver, texts.constructed(args))))
     if isinstance(receiver, Text) and cell is not None and args and name == "assign":
-        walk.state.write(cell, conversions.converted(concatenate((texts.constructed(args),)), cell.type))
-        return cell.value
+        return texts.changed(walk, cell, conversions.converted(concatenate((texts.constructed(args),)), cell.type))
     if isinstance(receiver, (Text, Choice)) and cell is not None and name == "clear":
         walk.state.write(cell, Known(""))
         return NONE

@@ -88,8 +88,7 @@ def of_known(  # noqa: C901 - one branch for each method
     if name in ("c_str", "str", "data", "Scalar", "as", "toString") and not args:
         return receiver
     if name in ("append", "push_back") and issubclass(receiver.kind, str) and cell is not None and args:
-        walk.state.write(cell, concatenate((receiver, texts.constructed(args))))
-        return cell.value
+        return texts.changed(walk, cell, concatenate((receiver, texts.constructed(args))))
     if receiver.__class__ is not Known and receiver.kind is str:
         answer = _asked(receiver, name, args)
         if answer is not None:
@@ -132,8 +131,7 @@ def of_known(  # noqa: C901 - one branch for each method
             walk.state.write(args[0].cell, receiver)
             return NONE
         if name == "assign" and cell is not None and args:
-            walk.state.write(cell, concatenate((texts.constructed(args),)))
-            return cell.value
+            return texts.changed(walk, cell, concatenate((texts.constructed(args),)))
         if name == "clear" and cell is not None:
             walk.state.write(cell, Known(""))
             return NONE
@@ -141,13 +139,8 @@ def of_known(  # noqa: C901 - one branch for each method
             if name == "swap" and args and args[0].cell is not None:
                 walk.state.write(args[0].cell, walk.opaque("it is swapped", frame, None, args[0].cell.type))
             changed = text_methods.changed(data, name, args)
-            walk.state.write(
-                cell,
-                Known(changed)
-                if changed is not None
-                else walk.opaque(f"it is changed by {name}", frame, None, cell.type),
-            )
-            return cell.value
+            unknown = walk.opaque(f"it is changed by {name}", frame, None, cell.type) if changed is None else None
+            return texts.changed(walk, cell, unknown or Known(changed))
         return None
     if name in ("size",) and isinstance(data, (list, dict)):
         return Known(len(data))

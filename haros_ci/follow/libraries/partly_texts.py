@@ -7,6 +7,7 @@ known beside it, counts as not known.
 
 from __future__ import annotations
 
+import posixpath
 import re
 from collections.abc import Callable
 from typing import TYPE_CHECKING
@@ -37,6 +38,7 @@ _SET = regex(
 )
 _SETS_OF_SETS = ("--", "||", "&&", "~~")
 _BLANK = " \t\n\r\x0b\x0c"
+_OF_PATHS = ("abspath", "basename", "dirname", "split", "splitext")
 _LETTERS: dict[str, Callable[[str], str]] = {"lower": str.lower, "upper": str.upper, "swapcase": str.swapcase}
 
 
@@ -204,3 +206,30 @@ def _split(text: Text, separator: str) -> Value | None:
 
 def _text(parts: list[str | Opaque]) -> Value:
     return concatenate(tuple(Known(part) if isinstance(part, str) else part for part in parts))
+
+
+#: The functions of paths that are known of a path whose last part is.
+PATHS = frozenset(f"{module}.{name}" for module in ("os.path", "posixpath") for name in _OF_PATHS)
+
+
+def of_path(name: str, text: Text) -> Value | None:
+    """What a function of paths gives for a path that ends with a known name; None for others, and for a path that may end with another one."""
+    last = text.parts[-1]
+    if name not in PATHS or not isinstance(last, str) or "/" not in last:
+        return None
+    before, _, base = last.rpartition("/")
+    head = (*text.parts[:-1], *([before] if before else ()))
+    directory = head[0] if len(head) == 1 else Text(head)
+    if base in ("", ".", ".."):
+        return None
+    match name.rpartition(".")[2]:
+        case "basename":
+            return Known(base)
+        case "abspath":
+            return Text((Opaque("where a file lies is not known"), f"/{base}"))
+        case "splitext":
+            stem, ending = posixpath.splitext(base)
+            return Sequence(Cell((Cell(Text((*text.parts[:-1], f"{before}/{stem}"))), Cell(Known(ending)))))
+    if before.endswith("/") or isinstance(directory, str):
+        return None
+    return directory if name.endswith("dirname") else Sequence(Cell((Cell(directory), Cell(Known(base)))))

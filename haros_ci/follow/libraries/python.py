@@ -132,6 +132,8 @@ def function(walk: Walk, frame: Frame, name: str, args: tuple[PassedArgument, ..
         return formats.path(walk, frame, args)
     if name in formats.PATHS and isinstance(first, Known) and issubclass(first.kind, str) and len(args) == 1:
         return formats.of_path(name, first.of(str))
+    if isinstance(first, Text) and len(args) == 1 and (found := partly_texts.of_path(name, first)) is not None:
+        return found
     if name in ("open", "io.open", "file") and first is not None:
         return Object("file", fields={"[path]": Cell(first)})
     if name in YAML and first is not None:

@@ -34,6 +34,16 @@ AT_START = "[at the start]"
 #: A string stream whose settings are not the first ones.
 IS_SET = "[set]"
 
+#: Methods that change a text and give it back by reference: ``a.append("b").insert(0, "c")``.
+CHANGING = frozenset(("append", "assign", "insert", "erase", "replace"))
+
+
+def changed(walk: Walk, cell: Cell, value: Value) -> Value:
+    """Set the text in *cell*, which the call that does so refers to."""
+    walk.state.write(cell, value)
+    walk.references = (cell,)
+    return value
+
 
 def constructed(args: tuple[PassedArgument, ...]) -> Value:
     """``std::string(s)``, ``(s, n)``, ``(s, pos, n)``, ``(n, c)``; ``append`` and ``assign`` take the same."""

@@ -11,6 +11,7 @@ from haros_ci.launch.ros1.scope import LoaderScope
 from haros_ci.launch.ros1.state import RoslaunchState
 from haros_ci.model.environment import NOTHING
 from haros_ci.model.launch import LaunchElement, LaunchFile
+from haros_ci.model.loose_launches import is_loose_launch
 from haros_ci.model.workspace import Workspace
 from haros_ci.substitutions.files import Files, files_of
 from haros_ci.substitutions.names import Text
@@ -21,7 +22,7 @@ from haros_ci.timing import timed
 def entry_files(
     workspace: Workspace, load: Callable[[str], LaunchFile | None], environment: Mapping[str, str] = NOTHING
 ) -> tuple[str, ...]:
-    """The ROS 1 launch files in packages that no other ROS 1 launch file includes, sorted (design: configurations).
+    """The ROS 1 launch files in packages that no other one there includes, and those beside packages (``loose_launches``), sorted.
 
     Paths of includes are followed with the args' defaults and in *environment*, whether or not their conditions
     hold; those that stay unknown do not count.
@@ -29,18 +30,25 @@ def entry_files(
     files = files_of(workspace)
     ros = {package.name: package.ros for package in workspace.packages}
     launches: dict[str, LaunchFile] = {}
+    loose: dict[str, LaunchFile] = {}
     for file in workspace.files:
-        if file.language == "launch" and file.package is not None and not file.path.endswith((".yaml", ".yml", ".py")):
-            launch = load(file.path)
-            if launch is not None and is_ros1(launch, ros.get(file.package)):
-                launches[file.path] = launch
-    included = {
-        target
-        for path, launch in launches.items()
-        for target in _includes(files, load, path, launch, environment)
-        if target != path
-    }
-    return tuple(sorted(path for path in launches if path not in included))
+        if file.language != "launch" or file.path.endswith((".yaml", ".yml", ".py")):
+            continue
+        if file.package is None and not is_loose_launch(file, workspace.packages, workspace.text(file.path)):
+            continue
+        launch = load(file.path)
+        if launch is not None and is_ros1(launch, ros.get(file.package or "")):
+            (loose if file.package is None else launches)[file.path] = launch
+
+    def included(by: Mapping[str, LaunchFile]) -> set[str]:
+        return {
+            target
+            for path, launch in by.items()
+            for target in _includes(files, load, path, launch, environment)
+            if target != path
+        }
+
+    return tuple(sorted((launches.keys() - included(launches)) | (loose.keys() - included({**launches, **loose}))))
 
 
 def _includes(

@@ -11,6 +11,7 @@ from haros_ci.launch.facts.memory import LaunchMemory, Memo
 from haros_ci.launch.ros2.evaluate import launch_system
 from haros_ci.launch.ros2.places import Places
 from haros_ci.model.launch_actions import Description
+from haros_ci.model.loose_launches import is_loose_launch
 from haros_ci.model.workspace import Workspace
 from haros_ci.timing import timed
 
@@ -28,7 +29,7 @@ def entry_files(
     memo: Memo | None = None,
     environment: Mapping[str, str] | None = None,
 ) -> tuple[str, ...]:
-    """The ROS 2 launch files in packages that no other one includes with its default arguments, sorted.
+    """The ROS 2 launch files in packages, and beside them (``loose_launches``), that no other one includes with its default arguments, sorted.
 
     They are called ``*.launch.xml``, ``*_launch.py`` and the like, or lie in a directory ``launch`` and describe
     something; *is_ros2* says of a path whether it is for ROS 2. Those below ``test``, those called ``test_…`` and those of
@@ -37,28 +38,35 @@ def entry_files(
     ``launch_system`` does not do it again.
     """
     found: list[str] = []
+    loose: list[str] = []
     for file in workspace.files:
-        if file.package is None or not is_ros2(file.path):
-            continue
         parts = file.path.split("/")
-        if _is_below_tests(parts) or _is_named_test(parts, file.package):
+        if not is_ros2(file.path) or _is_below_tests(parts) or _is_named_test(parts, file.package or ""):
             continue
-        if file.path.endswith(_NAMES) or parts[-1] in ("launch.xml", "launch.yaml", "launch.py"):
+        if file.package is None:
+            is_named = parts[-1].endswith(_NAMES)
+            if is_named and is_loose_launch(file, workspace.packages, workspace.text(file.path)):
+                loose += [file.path] if _describes(load(file.path)) else []
+        elif file.path.endswith(_NAMES) or parts[-1] in ("launch.xml", "launch.yaml", "launch.py"):
             found.append(file.path)
         elif parts[-2:-1] == ["launch"] and file.path.endswith((".xml", ".py", ".launch")):
-            description = load(file.path)
-            if description is not None and any(action.kind != "?" for action in description.actions):
+            if _describes(load(file.path)):
                 found.append(file.path)
     kept = memo if memo is not None else LaunchMemory()
     included: set[str] = set()
     entries: list[str] = []
-    for path in found:
-        if load(path) is None or _is_module(path, found, workspace):
+    for path in (*found, *loose):
+        if load(path) is None or _is_module(path, [*found, *loose], workspace):
             continue
         entries.append(path)
         system = launch_system((path,), workspace, load, {}, environment or {}, places, kept)
-        included.update(other for other in system.includes if other != path)
+        own = set(loose) if path in loose else {*found, *loose}
+        included.update(other for other in system.includes if other != path and other in own)
     return tuple(sorted(path for path in entries if path not in included))
+
+
+def _describes(description: Description | None) -> bool:
+    return description is not None and any(action.kind != "?" for action in description.actions)
 
 
 def _is_module(path: str, found: list[str], workspace: Workspace) -> bool:

@@ -16,8 +16,10 @@ from haros_ci.records import dataclass
 from haros_ci.systems.following import Types
 from haros_ci.systems.gazebo_plugins import PLUGIN, GazeboPlugin, started
 from haros_ci.systems.outside import as_data
+from haros_ci.systems.ros1_controllers import LOADED
 from haros_ci.systems.simulation.built import given, moved, under
 from haros_ci.systems.simulation.endpoints import ros1_endpoints
+from haros_ci.systems.simulation.ros1_loaded import OwnController, followed, with_controllers
 from haros_ci.systems.simulation.ros1_managers import Asked, asked, controllers
 from haros_ci.systems.simulation.simulators import (
     PACKAGE,
@@ -45,8 +47,10 @@ def simulation(
 ) -> Simulation:
     """What is simulated of what was *launched*. *server* has the parameters that are set."""
     servers = [node for node in launched.nodes if node.package == PACKAGE and node.type in SERVERS]
+    requested = tuple(asked(launched.nodes, trees.text_of))
+    ours = followed(types, requested, server)
     if not servers:
-        return Simulation(types, server, [])
+        return Simulation(types, server, [], requested, ours)
     parameters: dict[str, list[Parameter]] = {}
     for parameter in launched.parameters:
         parameters.setdefault(parameter.name, []).append(parameter)
@@ -58,7 +62,8 @@ def simulation(
         types,
         server,
         [(other_started, models.found(other_started, types.gazebo)) for other_started in servers],
-        tuple(asked(launched.nodes, trees.text_of)),
+        requested,
+        ours,
     )
 
 
@@ -71,6 +76,8 @@ class Simulation:
     servers: list[tuple[Started, SimulatorPlugins]]
     #: The controllers that are asked for.
     asked: tuple[Asked, ...] = ()
+    #: Those of them that the workspace builds.
+    ours: tuple[OwnController, ...] = ()
 
     def jobs(self) -> Iterator[Job]:
         """The plug-ins that the workspace builds, each to be followed in the simulator's node."""
@@ -78,9 +85,18 @@ class Simulation:
             host = launched_job(self.types, server, self.parameters).node
             for use, plugin, spawned in into.built:
                 yield started(self.types, plugin, given(use, spawned), under(host, use, spawned), self.parameters)
+        for own in self.ours:
+            yield own.job
 
     def complete(self, nodes: Sequence[Node]) -> tuple[Node, ...]:
         """*nodes*, where each simulator has what its plug-ins make."""
+        if self.ours:
+            of_managers = [node for node in nodes if node.kind == LOADED]
+            rest = self._simulated([node for node in nodes if node.kind != LOADED])
+            return with_controllers(rest, of_managers, self.ours)
+        return self._simulated(nodes)
+
+    def _simulated(self, nodes: Sequence[Node]) -> tuple[Node, ...]:
         if not self.servers:
             return tuple(nodes)
         by_place: dict[tuple[str, Location | None], SimulatorPlugins] = {
@@ -110,7 +126,8 @@ class Simulation:
         ]
         own = [plugin for plugin in plugins if (plugin.name, plugin.location) == (node.name, node.location)]
         made += [end for plugin in own for end in moved(plugin, node)]
-        made += controllers(node, made, self.asked, self.parameters, self.types.known, into)
+        names = frozenset(own.name for own in self.ours)
+        made += controllers(node, made, self.asked, self.parameters, self.types.known, into, names)
         more = tuple(why for plugin in own for why in plugin.unknowns if why.field == "endpoints")
         return completed(replace(node, unknowns=(*node.unknowns, *more)), made, into.lost)
 

@@ -7,7 +7,7 @@ and among these its type, below the manager's namespace and *name*.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 
 from haros_ci.graph.names import clean, resolve
@@ -107,14 +107,20 @@ def controllers(
     server: ParameterServer,
     known: Callable[[str, str, int], KnownNode | None],
     into: SimulatorPlugins,
+    ours: Collection[str] = (),
 ) -> Iterator[Endpoint]:
-    """What the controllers make that the managers on *node*, which has *made* these endpoints, are asked for; *into* takes why one is not known."""
+    """What the controllers make that the managers on *node*, which has *made* these endpoints, are asked for; *into* takes why one is not known.
+
+    *ours* are the full names of those that the workspace builds: they are followed.
+    """
     spaces = {end.name.removesuffix(f"/{SERVICE}") or "/" for end in made if end.name.endswith(f"/{SERVICE}")}
     for ask in every:
         if ask.namespace not in spaces and not any("?" in space for space in (ask.namespace, *spaces)):
             continue
         for name in ask.names if spaces else ():
             full = clean(f"{ask.namespace}/{name}")
+            if full in ours:
+                continue
             value = server.get(f"{full}/type")
             written = ask.settings.get(f"{full}/type", value.value if isinstance(value, Known) else None)
             kind = written if isinstance(written, str) else "?"
