@@ -16,6 +16,21 @@ FIRES = {
     "else_of_true": "if True:\n    pass\nelse:\n    import json" + USE,
     "empty": "if []:\n    import json" + USE,
     "compared": "if 1 == 2:\n    import json" + USE,
+    "calculated": "if 1 - 1:\n    import json" + USE,
+    "a_chain": "if 1 < 3 < 2:\n    import json" + USE,
+    "length": "if len(''):\n    import json" + USE,
+    "member": "if 'a' in ('b', 'c'):\n    import json" + USE,
+    "identity": "if None is not None:\n    import json" + USE,
+    "method": "if 'a'.startswith('b'):\n    import json" + USE,
+    "any": "if any([0, '']):\n    import json" + USE,
+    "formatted": "if f'':\n    import json" + USE,
+    "either_way": "if 0 if True else print():\n    import json" + USE,
+    "else_of_lambda": "if lambda: 0:\n    pass\nelse:\n    import json" + USE,
+    "named": "if (x := 0):\n    import json" + USE,
+    "calculated_constant": "A = 2\nB = A - 2\nif B:\n    import json" + USE,
+    "two_names": "A = B = False\nif A or B:\n    import json" + USE,
+    "equal_to_false": "A = True\nif A == False:\n    import json" + USE,
+    "constant_of_a_function": "def use():\n    off = False\n    if off:\n        json = 1\n    return json\n",
     "loop": "while False:\n    import json" + USE,
     "no_turn": "for _ in ():\n    import json" + USE,
     "constant": "DEBUG = False\nif DEBUG:\n    import json" + USE,
@@ -47,6 +62,20 @@ QUIET = {
     "both_off": "DEBUG = False\nif DEBUG:\n    import json\ndef use():\n    if DEBUG:\n        json.dumps({})\n",
     "switched": "DEBUG = False\ndef on():\n    global DEBUG\n    DEBUG = True\nif DEBUG:\n    import json" + USE,
     "twice": "DEBUG = False\nDEBUG = bool(input())\nif DEBUG:\n    import json" + USE,
+    "calculated": "import os\nif 1 - os.getpid():\n    import json" + USE,
+    "divided": "if 1 / 0:\n    import json" + USE,
+    "a_chain": "import os\nif 1 < os.getpid() < 2:\n    import json" + USE,
+    "list_and_tuple": "if [] == ():\n    pass\nelse:\n    import json" + USE,
+    "identity": "if 1 is 1:\n    pass\nelse:\n    import json" + USE,
+    "long": "if 'a' * 2000 == '':\n    import json" + USE,
+    "filled": "NAMES = []\nNAMES.append(1)\nif NAMES:\n    import json" + USE,
+    "formatted": "import os\nif f'{os.name}':\n    import json" + USE,
+    "method": "import os\nif os.name.startswith('b'):\n    import json" + USE,
+    "one_of_two_functions": "def a():\n    off = False\n    return off\ndef use():\n    off = a()\n    if off:\n        json = 1\n    return json\n",
+    "changed_in_a_loop": "def use():\n    seen = False\n    for _ in range(3):\n        if seen:\n            json = 1\n        seen = True\n    return json\n",
+    "counted": "def use(a):\n    n = 0\n    for _ in a:\n        n += 1\n    if n:\n        json = 1\n    return json\n",
+    "nonlocal_switch": "def use():\n    on = False\n    def turn():\n        nonlocal on\n        on = True\n    turn()\n    if on:\n        json = 1\n    return json\n",
+    "of_a_class": "class A:\n    on = False\non = bool(input())\nif on:\n    import json" + USE,
     "argument": "x = 0\ndef use(x):\n    if x:\n        json = 1\n    return json\n",
     "types_only": "from __future__ import annotations\nfrom typing import TYPE_CHECKING\nif TYPE_CHECKING:\n    import json\ndef use(x: json.JSONDecoder):\n    return x\n",
     "types_in_text": "from typing import TYPE_CHECKING\nif TYPE_CHECKING:\n    import json\ndef use(x: 'json.JSONDecoder'):\n    return x\n",
@@ -110,5 +139,8 @@ def test_a_long_or_deep_file_is_no_trouble() -> None:
     deep = "".join(f"{' ' * i}if x{i}:\n" for i in range(90)) + " " * 90 + "import json" + USE
     wide = "if False:\n    import json\n" + "x = [" + "[" * 80 + "]" * 80 + "]\n" + "y = " + "+".join(["a"] * 900) + USE
     assert list(never_bound(deep)) == []
+    large = "".join(f"A{i + 1} = A{i} + A{i}\n" for i in range(90)) + "if A90:\n    import json"
+    chain = "if " + " < ".join(["1"] * 900) + ":\n    pass\nelse:\n    import os"
+    assert list(never_bound(f"A0 = 'a'\n{large}{USE}")) == [] == list(never_bound(chain))
     assert [one.name for one in never_bound(wide)] == ["json"]
     assert list(never_bound("if False:\n    import json" + USE + "#" * 400_000)) == []
