@@ -6,6 +6,7 @@ from __future__ import annotations
 from haros_ci.linters import (
     endpoint_macros,
     given_endpoints,
+    lone_returns,
     lost_setup,
     missing_names,
     seen_otherwise,
@@ -21,6 +22,7 @@ _LOOKS = (
     used_aside,
     endpoint_macros,
     given_endpoints,
+    lone_returns,
     lost_setup,
     started_instead,
     unbound_names,
