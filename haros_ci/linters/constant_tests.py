@@ -101,7 +101,13 @@ def truth(test: ast.expr, given: Mapping[str, object], depth: int = 0) -> bool |
 def is_empty(values: ast.expr, given: Mapping[str, object]) -> bool:
     """Whether a loop over *values* has no turn."""
     if isinstance(values, ast.Call) and isinstance(values.func, ast.Name) and values.func.id == "range":
-        return len(values.args) == 1 and isinstance(values.args[0], ast.Constant) and values.args[0].value == 0
+        numbers = [value_of(one, given) for one in values.args]
+        if values.keywords or not all(isinstance(one, int) for one in numbers) or not 0 < len(numbers) < 4:
+            return False
+        try:
+            return not range(*(one for one in numbers if isinstance(one, int)))
+        except ValueError:  # a step of 0
+            return False
     is_text = isinstance(values, ast.Constant) and isinstance(values.value, str | bytes)
     is_group = isinstance(values, ast.List | ast.Tuple | ast.Set | ast.Dict | ast.Call)
     return (is_text or is_group) and truth(values, given) is False

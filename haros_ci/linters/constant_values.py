@@ -53,6 +53,7 @@ _CALLED: dict[str, Callable[..., Any]] = {
         "bytes": bytes,
     },
 }
+_TYPES: dict[str, type] = {one.__name__: one for one in (str, bytes, int, float, bool, list, tuple, dict, set)}
 _METHODS = frozenset("strip lower upper startswith endswith isdigit isalpha count find title".split())
 
 
@@ -110,13 +111,27 @@ def _compared(node: ast.Compare, given: Mapping[str, object], depth: int) -> obj
 
 
 def _called(node: ast.Call, given: Mapping[str, object], depth: int) -> object:
+    if isinstance(node.func, ast.Name) and node.func.id == "isinstance" and len(node.args) == 2:
+        return _is_instance(node.args[0], node.args[1], given, depth)
     values = [value_of(one, given, depth + 1) for one in node.args]
     if isinstance(node.func, ast.Name) and node.func.id in _CALLED and node.func.id not in given and len(values) < 2:
         return _made(_CALLED[node.func.id], *values)
     if isinstance(node.func, ast.Attribute) and node.func.attr in _METHODS:
         text = value_of(node.func.value, given, depth + 1)
         return _made(getattr(str, node.func.attr), text, *values) if isinstance(text, str) else UNKNOWN
+    if isinstance(node.func, ast.Attribute) and isinstance(node.func.value, ast.Dict) and not node.func.value.keys:
+        return _made({}.get, *values) if node.func.attr == "get" else UNKNOWN
     return UNKNOWN
+
+
+def _is_instance(node: ast.expr, kind: ast.expr, given: Mapping[str, object], depth: int) -> object:
+    """Whether a constant is of one of the built-in types that are named there."""
+    value = value_of(node, given, depth + 1)
+    names = kind.elts if isinstance(kind, ast.Tuple) else [kind]
+    types = [_TYPES.get(one.id) if isinstance(one, ast.Name) else None for one in names]
+    if value is not None and not isinstance(value, bool | int | float | str | bytes):
+        return UNKNOWN
+    return UNKNOWN if None in types else isinstance(value, tuple(one for one in types if one is not None))
 
 
 def _may_join(sign: ast.operator, one: object, other: object) -> bool:
