@@ -9,6 +9,7 @@ from haros_ci.linters import (
     lone_returns,
     lost_setup,
     missing_names,
+    refused_interfaces,
     seen_otherwise,
     started_instead,
     unbound_names,
@@ -27,6 +28,7 @@ _LOOKS = (
     started_instead,
     unbound_names,
     missing_names,
+    refused_interfaces,
 )
 
 
