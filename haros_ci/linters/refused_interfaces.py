@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
 
-from haros_ci.linters.changed_code import Found, brought, notes
+from haros_ci.linters.changed_code import Found, Place, brought, notes
 from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Workspace
 from haros_ci.regex import regex
@@ -29,32 +29,52 @@ def notifications(head: Workspace, base: Workspace | None) -> tuple[Notification
     """A note for each such name of *head* that no file of *base* which changed or is gone has; none without a base."""
     if base is None:
         return ()
-    return notes(brought(head, base, _look), MOST, "names of interfaces are refused by rosidl, since this change")
+    places = sorted({*_names(head, base), *brought(head, base, _look)}, key=lambda place: (place[0], place[1] or 0))
+    return notes(places, MOST, "names of interfaces are refused by rosidl, since this change")
+
+
+def _names(head: Workspace, base: Workspace) -> Iterator[Place]:
+    """The files of *head* under a name that rosidl refuses, which *base* has no file of: their text may be that of another one."""
+    old = {file.path.rpartition("/")[2] for file in base.files}
+    ros2 = _of_ros2(head)
+    for file in head.files:
+        name = file.path.rpartition("/")[2]
+        is_looked_at = file.package in ros2 and not file.third_party and head.reports_on(file.path)
+        if file.language == "interface" and is_looked_at and name not in old and is_refused(file.path):
+            words = f"the name {name.rpartition('.')[0]} of an interface, which has to be written as in 'BatteryState'"
+            yield file.path, 1, _message(words)
+
+
+def _of_ros2(workspace: Workspace) -> frozenset[str]:
+    return frozenset(package.name for package in workspace.packages if package.ros == 2)
+
+
+def _message(words: str) -> str:
+    return f"since this change rosidl refuses {words}: a package that generates code of it is not built"
 
 
 def _look(workspace: Workspace) -> Callable[[SourceFile], Iterable[Found]]:
-    ros2 = {package.name for package in workspace.packages if package.ros == 2}
+    ros2 = _of_ros2(workspace)
 
     def look(file: SourceFile) -> Iterator[Found]:
         if file.language == "interface" and file.package in ros2:
             for line, words in refused(file.path, workspace.text(file.path)):
-                yield (
-                    line,
-                    (file.path.rpartition("/")[2], words),
-                    f"since this change rosidl refuses {words}: a package that generates code of it is not built",
-                )
+                yield line, (file.path.rpartition("/")[2], words), _message(words)
 
     return look
 
 
-def refused(path: str, text: str) -> Iterator[tuple[int, str]]:
-    """The lines and names of the definition at *path* that rosidl refuses, in words; takes linear time."""
+def is_refused(path: str) -> bool:
+    """Whether rosidl refuses the name of the definition at *path*."""
     folder, _, name = path.rpartition("/")
     stem, _, kind = name.rpartition(".")
-    if folder.rpartition("/")[2] not in _DIRECTORIES or kind not in _DIRECTORIES:
+    return folder.rpartition("/")[2] in _DIRECTORIES and kind in _DIRECTORIES and _NAME.fullmatch(stem) is None
+
+
+def refused(path: str, text: str) -> Iterator[tuple[int, str]]:
+    """The lines and names of fields and constants of the definition at *path* that rosidl refuses, in words; takes linear time."""
+    if path.rpartition("/")[0].rpartition("/")[2] not in _DIRECTORIES:
         return
-    if _NAME.fullmatch(stem) is None:
-        yield 1, f"the name {stem} of an interface, which has to be written as in 'BatteryState'"
     fields: set[str] = set()
     constants: set[str] = set()
     for number, line in enumerate(_BREAK.split(text)[:_MOST_LINES], start=1):

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 from linter_samples import workspace
 
-from haros_ci.linters.refused_interfaces import notifications, refused
+from haros_ci.linters.refused_interfaces import is_refused, notifications, refused
 from haros_ci.model.package import Package
 
 FIRES = {
@@ -61,7 +61,7 @@ def test_stays_quiet(name: str) -> None:
     ],
 )
 def test_names_of_files(path: str, count: int) -> None:
-    assert len(list(refused(path, "int32 a\n"))) == count
+    assert is_refused(path) is bool(count)
 
 
 @pytest.mark.parametrize("ros", [1, 2, None])
@@ -76,6 +76,11 @@ def test_what_a_change_brings(tmp_path: Path, ros: int | None) -> None:
         return [note.line for note in notifications(sides[1], sides[0])]
 
     assert said("1", "int32 a\n", "int32 a\nint32 bigName\n") == ([2] if ros == 2 else [])
+    package = replace(Package(name="arm", path="arm"), ros=ros)
+    texts = {"arm/srv/Word.srv": "int32 a\n"}, {"arm/srv/Word.srv": "int32 a\n", "arm/srv/word.srv": "int32 a\n"}
+    old, new = (workspace(tmp_path / str(number), files, [package]) for number, files in enumerate(texts))
+    assert [note.path for note in notifications(new, old)] == (["arm/srv/word.srv"] if ros == 2 else [])
+    assert notifications(new, new) == ()
     assert said("2", "int32 bigName\n", "int32 a\nint32 bigName\n") == []
 
 
