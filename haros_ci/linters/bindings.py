@@ -8,9 +8,9 @@ from bisect import bisect_right
 from collections.abc import Callable, Iterator, Sequence
 from typing import NamedTuple
 
-from haros_ci.linters.constant_tests import constants_of, is_empty, leaves, truth
 from haros_ci.records import dataclass, field
 from haros_ci.regex import regex
+from haros_ci.results.constant_tests import constants_of, is_empty, leaves, truth
 from haros_ci.results.python_nodes import mentions
 
 _FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda)

@@ -6,9 +6,9 @@ from __future__ import annotations
 import ast
 from collections.abc import Iterable, Iterator
 
-from haros_ci.linters.constant_tests import constants_of, leaves, truth
 from haros_ci.linters.pylint_idioms import nodes
 from haros_ci.regex import regex
+from haros_ci.results.constant_tests import constants_of, leaves, truth
 from haros_ci.results.python_nodes import dotted, mentions
 
 _MISSING = regex(r"\b(?:ImportError|ModuleNotFoundError|AttributeError|Exception|BaseException)\b")

@@ -7,7 +7,7 @@ import ast
 import operator
 from collections.abc import Iterable, Mapping
 
-from haros_ci.linters.constant_values import UNKNOWN, value_of
+from haros_ci.results.constant_values import UNKNOWN, value_of
 from haros_ci.results.python_nodes import dotted
 
 #: How deep a condition, or an ``if`` that leaves its block, is looked into.
