@@ -2,7 +2,7 @@
 """Names that Python files take from modules of the workspace, or of Python's own, and that these do not have: notes where a change brings them.
 
 pylint's ``no-name-in-module`` is in no profile, as it does not know what a build makes, nor what is installed under the same name, nor
-which Python runs on the robot: of Python's own modules those names are told that no version has, on no system.
+which Python runs on the robot: of Python's own modules a name is missing here if no version has it, on no system.
 """
 
 from __future__ import annotations
