@@ -28,12 +28,12 @@ _PASTED = regex(r"(?:([A-Za-z_]\w*)\s*)?(?:##|%:%:)(?:\s*([A-Za-z_]\w*))?")
 _DECLARED = regex(r"\b(?:class|struct)\s+([A-Za-z_]\w*)\s*;")
 #: The beginning or the end of a name by custom, which no header of the system has a macro for.
 _PIECE = regex(r"[A-Za-z]\w*_|_[a-z]\w*")
-#: A name as variables have it, of several words: of the macros of the system's headers few are called so, and those of term.h.
+#: A name as variables have it, of several words, or a keyword: of the macros of the system's headers few are called so, and those of term.h and stdbool.h.
 _USUAL = regex(
-    r"(?!(?:(?:no|required|optional)_argument|sched_priority|(?:h_addr|s_addr|si|sa|st|ss|ut|sigev|ifr|ifc|ifa|ip6|icmp6|nd|mld|rr|ip6t|ipt|arpt|input_event|sqlite3|res|d|tc|v4l2)_?\w*)\Z)"
-    r"[a-z][a-z0-9]*(?:_[a-z0-9]+)+"
+    r"(?!(?:(?:no|required|optional)_argument|sched_priority|h_addr|s_addr|(?:si|sa|st|ss|ut|sigev|ifr|ifc|ifa|ip6|icmp6|nd|mld|rr|ip6t|ipt|arpt|input_event|sqlite3|res|d|tc|v4l2)_\w*)\Z)"
+    r"(?:[a-z][a-z0-9]*(?:_[a-z0-9]+)+|bool|char|short|int|long|float|double|unsigned|signed|void|auto|const|static|inline|return|true|false|nullptr|this|class|struct|enum|typename)"
 )
-_OF_TERMINALS = regex(r"\bn?(?:term|cap|curses)\w*\.h\b")
+_ODD_HEADERS = regex(r"\b(?:n?(?:term|cap|curses)\w*|stdbool)\.h\b")
 #: Rounds in which macros that hand an argument on are found, characters of the arguments of one call, and brackets and commas that are read of one file.
 _ROUNDS, _LONGEST, _MOST = 8, 4_000, 200_000
 _NUMBERED = regex(r"\b([A-Za-z_]\w*?)\d+\b")
@@ -66,7 +66,7 @@ def pasted(file: SourceFile, workspace: Workspace, elsewhere: MacrosElsewhere) -
             macros[match[1]] = _Macro(parameters, match[3])
     places = _handed_on(macros)
     if places:
-        usual = None if any(_OF_TERMINALS.search(text) for text in texts) else _USUAL
+        usual = None if any(_ODD_HEADERS.search(text) for text in texts) else _USUAL
         yield from dict.fromkeys(_odd(texts[0], macros, places, usual))
 
 
