@@ -31,6 +31,13 @@ NAMED = {
     ),
     "return.yaml": ("# why\ra: 1\nb: 2\n", "in a carriage return alone"),
     "return.cmake": ("# why\rset(A 1)\n", "in a carriage return alone"),
+    "later.py": ("value = late() if 1 else 0\n\n\ndef late():\n    return 1\n", "it is bound only behind it"),
+    "text.py": (
+        "import operator\n\n\ndef f(node):\n    return operator.attrgetter('create_client')(node)\n",
+        "create_client is given to something that may call it",
+    ),
+    "pkg/msg/Word.msg": ("int32 bigName\n", "rosidl refuses the name bigName of a field"),
+    "installs.cmake": ("install(TARGETS a DESTINATION lib EXCLUDE_FROM_ALL)\n", "install() has EXCLUDE_FROM_ALL"),
     "aside.cpp": ('#include "test/part.hpp"\n', "a file of tests or of another project"),
     "computed.hpp": ('#define PART "part.hpp"\n#include PART\n', "in another way than the compiler"),
 }
@@ -44,6 +51,9 @@ QUIET = {
     "q_own.py": "import time\nimport signal\n\n\ndef f():\n    return time.clock(), signal.CTRL_C_EVENT\n",
     "q_prefix.launch": "<launch><node pkg='a' type='a' name='a' launch-prefix='gdb -ex run --args'/></launch>\n",
     "q_return.yaml": "# why\r\na: 1\r\n",
+    "q_later.py": "def f():\n    return late()\n\n\ndef late():\n    return 1\n\n\nvalue = f()\n",
+    "pkg/msg/Said.msg": "int32 big_name\nint32 A=1\n",
+    "q_installs.cmake": "install(TARGETS a DESTINATION lib OPTIONAL)\n",
     "q_moved.hpp": '#define TELL(n) n->create_publisher<M>("a", 1)\n',
     "test/q_test.cpp": '#include "part.hpp"\n',
 }
@@ -57,6 +67,10 @@ def outcome(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Outcome]:
     trap.write("haros.yaml", "linters: {cpplint: false, pylint: false, cppcheck: false, lizard: false, radon: false}\n")
     trap.write("tools.py", "def width():\n    return 1\n")
     trap.write("test/part.hpp", "int part();\n")
+    trap.write(
+        "pkg/package.xml",
+        "<package format='3'><name>pkg</name><export><build_type>ament_cmake</build_type></export></package>\n",
+    )
     trap.write("old.hpp", QUIET["q_moved.hpp"])
     trap.commit()
     (trap.root / "old.hpp").unlink()
