@@ -55,7 +55,8 @@ class _Types:
         self._system = system
         self._known: dict[End, frozenset[str | None]] = {}
         self._alike: dict[tuple[int, str], list[End]] = {}
-        for end in (end for end in topic.ends if not is_never_made(end)):
+        text = None if system.workspace is None else system.workspace.text
+        for end in (end for end in topic.ends if not is_never_made(end, text)):
             self._alike.setdefault((id(end.node), end.kind), []).append(end)
 
     def differ(self, one: End, other: End) -> bool:

@@ -3,13 +3,19 @@
 
 from __future__ import annotations
 
+import ast
+from collections import Counter
 from collections.abc import Callable, Iterable, Iterator
+from functools import lru_cache
 from itertools import product
 from typing import TYPE_CHECKING
 
 from haros_ci.model.architecture import Condition
 from haros_ci.model.presence import together
 from haros_ci.regex import regex
+from haros_ci.results.code_alone import code_alone
+from haros_ci.results.constant_tests import constants_of
+from haros_ci.results.module_names import parsed
 
 if TYPE_CHECKING:
     from haros_ci.checking.system import End
@@ -25,11 +31,46 @@ _CONSTANT = regex(
 )
 
 
-def is_never_made(end: End) -> bool:
-    """Whether no run of its program makes it, whatever it is given: what is not compiled, or stands below ``if False``."""
+#: A condition on one name; and, in C++, how a name is given a value for good, or some value.
+_ON_A_NAME = regex(r"(?:not\s+|!\s*)?([A-Za-z_]\w{0,100})")
+_FOR_GOOD = regex(
+    r"\b(?:const|constexpr)[ \t]+(?:bool|int|auto)[ \t]+(\w+)[ \t]*(?:=[ \t]*(?:true|false|\d+)|\{[ \t]*(?:true|false|\d+)[ \t]*\})[ \t]*;"
+)
+_GIVEN = regex(r"\b(\w+)[ \t]*(?:=(?!=)|\{)")
+
+
+def is_never_made(end: End, text: Callable[[str], str] | None = None) -> bool:
+    """Whether no run of its program makes it, whatever it is given: what is not compiled, or stands below ``if False``.
+
+    With *text*, which gives the text of a file, that is so, too, below a condition on a variable that is given one value in its file, which is written there.
+    """
     return end.raw.is_ruled_out and all(
-        condition.statement == "#if" or _is_constant(condition.condition) for condition in end.raw.conditions
+        condition.statement == "#if"
+        or _is_constant(condition.condition)
+        or (text is not None and _is_switch(condition, text))
+        for condition in end.raw.conditions
     )
+
+
+def _is_switch(condition: Condition, text: Callable[[str], str]) -> bool:
+    """Whether *condition* is on a variable of its file that has one value, whatever the program is given."""
+    path = condition.location.path
+    match = _ON_A_NAME.fullmatch(condition.condition)
+    return match is not None and match[1] in (_python_constants if path.endswith(".py") else _cpp_constants)(text(path))
+
+
+@lru_cache(maxsize=64)
+def _python_constants(text: str) -> frozenset[str]:
+    tree = parsed(text)
+    return frozenset() if tree is None else frozenset(constants_of(ast.walk(tree)))
+
+
+@lru_cache(maxsize=64)
+def _cpp_constants(text: str) -> frozenset[str]:
+    """The constants of a file of C++ whose value is written there, and whose name is given no other one."""
+    code = code_alone(text, "c")
+    values = Counter(_GIVEN.findall(code))
+    return frozenset(name for name in _FOR_GOOD.findall(code) if values[name] == 1)
 
 
 def in_doubt(conditions: tuple[Condition, ...]) -> tuple[Condition, ...]:

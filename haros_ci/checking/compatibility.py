@@ -7,7 +7,7 @@ Compatibility follows the tables of "Quality of Service settings" (docs.ros.org)
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 
 from haros_ci.checking.coexistence import can_meet, is_never_made
 from haros_ci.checking.system import Channel, End, System
@@ -112,7 +112,8 @@ def mismatches(system: System, policy: str, fix: str) -> Iterator[Mismatch]:
     because of one call of the other kind alone, it is this one.
     """
     channels = (*system.topics, *system.services) if policy in ("reliability", "durability") else system.topics
-    pairs = [pair for channel in channels for pair in refused_pairs(channel, policy)]
+    text = None if system.workspace is None else system.workspace.text
+    pairs = [pair for channel in channels for pair in refused_pairs(channel, policy, text)]
     met: dict[Location, set[Location]] = {}
     for pair in pairs:
         met.setdefault(pair.giver.location, set()).add(pair.taker.location)
@@ -141,8 +142,8 @@ def _is_common(qos: Qos | None) -> bool:
     return qos is not None and (qos.reliability, qos.durability) == ("reliable", "volatile")
 
 
-def refused_pairs(channel: Channel, policy: str) -> Iterator[Pair]:
-    """The pairs of *channel* that exist at once, agree on the type, and are kept from connecting by *policy*."""
+def refused_pairs(channel: Channel, policy: str, text: Callable[[str], str] | None = None) -> Iterator[Pair]:
+    """The pairs of *channel* that exist at once, agree on the type, and are kept from connecting by *policy*; *text* as for ``is_never_made``."""
     offers = {end.qos for end in channel.givers if not end.implicit}
     wishes = {end.qos for end in channel.takers if not end.implicit}
     if not any(_are_incompatible(channel, policy, offer, wish) for offer in offers for wish in wishes):
@@ -155,7 +156,7 @@ def refused_pairs(channel: Channel, policy: str) -> Iterator[Pair]:
                 continue
             if _is_chosen(giver, [twin for twin in present if twin not in refused]):
                 continue
-            there = (twin for twin in channel.takers if not is_never_made(twin))
+            there = (twin for twin in channel.takers if not is_never_made(twin, text))
             twins = (twin for twin in there if not _are_incompatible(channel, policy, giver.qos, twin.qos))
             if not _is_chosen(taker, [twin for twin in twins if not _differ(giver, twin)]):
                 yield Pair(channel, giver, taker, len(refused) == len(present))

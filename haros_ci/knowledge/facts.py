@@ -15,6 +15,8 @@ from typing import Any
 #: Files of another version are not read.
 VERSION = 1
 FACTS = Path(__file__).with_name("facts.dat")
+#: The names of modules of Python's own; written by tools/build_python_names.py.
+PYTHON = Path(__file__).with_name("python.dat")
 
 
 class Facts:

@@ -4,12 +4,13 @@
 from __future__ import annotations
 
 import ast
+from bisect import bisect_right
 from collections.abc import Callable, Iterator, Sequence
 from typing import NamedTuple
 
-from haros_ci.linters.constant_tests import constants_of, is_empty, leaves, truth
 from haros_ci.records import dataclass, field
 from haros_ci.regex import regex
+from haros_ci.results.constant_tests import constants_of, is_empty, leaves, truth
 from haros_ci.results.python_nodes import mentions
 
 _FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda)
@@ -25,6 +26,7 @@ HANDLED, DECLARED = (
     "it is bound only by an except, which deletes it at its end",
     "it has a type, and is given no value",
 )
+LATER = "it is bound only behind it"
 
 
 @dataclass(eq=False, slots=True)
@@ -39,7 +41,14 @@ class Scope:
     bound: dict[str, list[tuple[int, str]]] = field(default_factory=dict)
     deleted: dict[str, int] = field(default_factory=dict)
     outer: dict[str, str] = field(default_factory=dict)
+    #: The first lines of the statements that a module or function is made of, in their order.
+    starts: tuple[int, ...] = ()
     _summaries: dict[str, tuple[int, int, frozenset[str]]] = field(default_factory=dict)
+
+    def start(self, line: int) -> int:
+        """The first line of its own statement around *line*; 0 if that is none of its body."""
+        at = bisect_right(self.starts, line)
+        return self.starts[at - 1] if at else 0
 
     def bind(self, name: str, line: int, why: str) -> None:
         self.bound.setdefault(name, []).append((line, why))
@@ -90,6 +99,7 @@ class Names:
 
     def read(self, tree: ast.Module) -> None:
         self._outermost |= _deletions(tree.body)
+        self.module.starts = _starts(tree.body)
         self._block(tree.body, _Place(self.module))
         while self._todo:
             self._node(*self._todo.pop())
@@ -226,6 +236,7 @@ class Names:
         annotations = [] if self.is_late else [one.annotation for one in every] + [node.returns]
         self._todo += [(one, place) for one in (*node.decorator_list, *annotations) if one is not None]
         self._outermost |= _deletions(node.body)
+        inner.starts = _starts(node.body)
         self._block(node.body, body)
 
     def _attempt(self, node: ast.Try, place: _Place) -> None:
@@ -256,11 +267,19 @@ class Names:
             self._bind(node.target.id, node.lineno, place, DECLARED)
 
     def _deleted(self, node: ast.Delete, place: _Place) -> None:
-        for target in node.targets:
-            if not isinstance(target, ast.Name):
+        targets = list(node.targets)
+        for target in targets:
+            if isinstance(target, ast.Tuple | ast.List):
+                targets += target.elts
+            elif not isinstance(target, ast.Name):
                 self._todo.append((target, place))
             elif id(node) in self._outermost and not place.is_dead:
                 place.scope.deleted[target.id] = max(node.lineno, place.scope.deleted.get(target.id, 0))
+
+
+def _starts(body: list[ast.stmt]) -> tuple[int, ...]:
+    decorated = (one.decorator_list[:1] for one in body if isinstance(one, (*_FUNCTIONS[:2], ast.ClassDef)))
+    return tuple(sorted({*(one.lineno for one in body), *(one.lineno for first in decorated for one in first)}))
 
 
 def _deletions(body: list[ast.stmt]) -> set[int]:

@@ -6,8 +6,11 @@ from __future__ import annotations
 from haros_ci.linters import (
     endpoint_macros,
     given_endpoints,
+    lone_returns,
+    lost_installs,
     lost_setup,
     missing_names,
+    refused_interfaces,
     seen_otherwise,
     started_instead,
     unbound_names,
@@ -21,10 +24,13 @@ _LOOKS = (
     used_aside,
     endpoint_macros,
     given_endpoints,
+    lone_returns,
+    lost_installs,
     lost_setup,
     started_instead,
     unbound_names,
     missing_names,
+    refused_interfaces,
 )
 
 

@@ -7,9 +7,9 @@ import ast
 from collections.abc import Iterator, Sequence
 from functools import lru_cache
 
-from haros_ci.linters.constant_tests import truth
 from haros_ci.linters.pylint_idioms import nodes
 from haros_ci.regex import regex
+from haros_ci.results.constant_tests import truth
 from haros_ci.results.python_nodes import mentions
 from haros_ci.results.unreached import EXITING, EXITS, dead_parts, is_bound
 

@@ -37,6 +37,9 @@ _OF_MODULES = frozenset(
 _ASKS = frozenset(
     "partial partialmethod hasattr getattr isinstance issubclass callable type id repr str signature getsource wraps object Mock MagicMock patch spy".split()
 )
+#: What makes a call of the name of a method that it is given as a text, or what calls a method in another way than by brackets.
+_BY_NAME = frozenset("methodcaller attrgetter __getattribute__ __getattr__ getattr_static".split())
+_OF_METHODS = frozenset("__call__ __func__ __get__ __wrapped__".split())
 _MAY = regex(
     r"\bcreate_(?:publisher|subscription|service|client|timer|lifecycle_publisher)\b|\brospy\b|\bActionServer\b|\bActionClient\b|\bSimpleAction|\bmessage_filters\b"
 )
@@ -80,6 +83,8 @@ def given_in_python(text: str) -> Iterator[tuple[int, str]]:
         elif isinstance(node, ast.Import):
             modules.update({alias.asname: alias.name for alias in node.names if alias.asname})
     for node in every:
+        if (odd := _odd_use(node)) is not None:
+            yield node.lineno if isinstance(node, ast.expr) else 1, odd
         if not isinstance(node, ast.Call) or _last(node.func) in _ASKS:
             continue
         pending: list[ast.expr] = [*node.args, *(word.value for word in node.keywords)]
@@ -93,6 +98,21 @@ def given_in_python(text: str) -> Iterator[tuple[int, str]]:
                 name = _name(part, modules)
                 if name in _OF_MODULES or (isinstance(part, ast.Attribute) and part.attr in _OF_NODES):
                     yield part.lineno, (dotted(part) or _last(part))[:_QUOTED]
+
+
+def _odd_use(node: ast.AST) -> str | None:
+    """The method that *node* takes by its name as a text, or calls by what a method has; None for anything else."""
+    given: ast.expr | None = None
+    if isinstance(node, ast.Call) and _last(node.func) in _BY_NAME:
+        given = next((one for one in node.args if isinstance(one, ast.Constant) and one.value in _OF_NODES), None)
+    elif isinstance(node, ast.Subscript) and isinstance(node.ctx, ast.Load):
+        own = node.value.func if isinstance(node.value, ast.Call) else node.value
+        given = node.slice if _last(own) in ("vars", "__dict__") else None
+    elif isinstance(node, ast.Attribute) and node.attr in _OF_METHODS and _last(node.value) in _OF_NODES:
+        return f"{_last(node.value)}.{node.attr}"
+    if isinstance(given, ast.Constant) and isinstance(given.value, str) and given.value in _OF_NODES:
+        return given.value
+    return None
 
 
 def given_in_cpp(text: str) -> Iterator[tuple[int, str]]:

@@ -6,9 +6,9 @@ from __future__ import annotations
 import ast
 from collections.abc import Iterator
 
-from haros_ci.linters.constant_tests import constants_of, leaves, truth
 from haros_ci.linters.pylint_idioms import nodes
 from haros_ci.model.workspace import Workspace
+from haros_ci.results.constant_tests import constants_of, leaves, truth
 from haros_ci.results.python_nodes import dotted
 from haros_ci.results.result import Notification
 from haros_ci.results.rule import Level

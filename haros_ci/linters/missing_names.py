@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Names that Python files take from modules of the workspace, and that these do not have: notes where a change brings them.
+"""Names that Python files take from modules of the workspace, or of Python's own, and that these do not have: notes where a change brings them.
 
-pylint's ``no-name-in-module`` is in no profile, as it does not know what a build makes, nor what is installed under the same name.
+pylint's ``no-name-in-module`` is in no profile, as it does not know what a build makes, nor what is installed under the same name, nor
+which Python runs on the robot: of Python's own modules a name is missing here if no version has it, on no system.
 """
 
 from __future__ import annotations
@@ -9,9 +10,10 @@ from __future__ import annotations
 import re
 import sys
 from collections.abc import Iterator
-from functools import cached_property
+from functools import cache, cached_property
 from typing import NamedTuple
 
+from haros_ci.knowledge.facts import PYTHON, Facts
 from haros_ci.linters.changed_code import notes
 from haros_ci.linters.taken_names import taken
 from haros_ci.model.package import SourceFile
@@ -27,6 +29,8 @@ MAX_TEXT = 300_000
 #: What the build makes in a package of Python.
 _MADE = frozenset(("msg", "srv", "action", "cfg", "parameters"))
 _WORD = regex(r"(?<![\w.])\w+")
+#: What gives a module a name that it does not have: the module, or what is called like it, and the name.
+_GIVES = regex(r"\b(\w+)\.(\w+)[ \t]*=(?!=)|\bsetattr[ \t]*\(\s*(?:\w+\.)?(\w+)[ \t]*,\s*[\"'](\w+)")
 _PATHS = regex(r"\bsys\.(?:path|modules|meta_path)\b|\b__path__\b|\bimportlib\b|\baddsitedir\b")
 
 
@@ -67,7 +71,20 @@ def notifications(head: Workspace, base: Workspace | None) -> tuple[Notification
 
 
 def _message(one: Missing) -> str:
-    return f"since this change it takes {one.name} from {one.module}, which has no such name; define it there, or write another one"
+    lacks = f"since this change it takes {one.name} from {one.module}"
+    if names_of_python(one.module) is not None:
+        return f"{lacks}, a module of Python's own, which has no such name in any version; write another one"
+    return f"{lacks}, which has no such name; define it there, or write another one"
+
+
+def names_of_python(module: str) -> frozenset[str] | None:
+    """The public names that *module* of Python's standard library has in any version, on any system; None for other modules."""
+    return _facts().words("modules", module)
+
+
+@cache
+def _facts() -> Facts:
+    return Facts(PYTHON)
 
 
 class _Modules:
@@ -100,6 +117,8 @@ class _Modules:
     def _lacks(self, file: SourceFile, module: str, name: str, is_searching: bool) -> bool:
         if name.startswith("_") or name in _MADE or name == "*":
             return False
+        if (own := names_of_python(module)) is not None and module.partition(".")[0] not in self._by_name:
+            return name not in own and (module.rpartition(".")[2], name) not in self._given
         places = self._places(file, module, is_searching)
         if not places or any(name in self.folders.get(place, ()) for place in places):
             return False
@@ -189,6 +208,12 @@ class _Modules:
     def _built(self) -> frozenset[str]:
         """All words of build files, which may make a module of that name."""
         return frozenset(word for _, text in self._build_files for word in _WORD.findall(text))
+
+    @cached_property
+    def _given(self) -> frozenset[tuple[str, str]]:
+        """What some file gives to an object of such a name: a module of Python's own can have it from there."""
+        found = (one for path in self.python for one in _GIVES.findall(self.workspace.text(path)))
+        return frozenset((owner or other, name or of_other) for owner, name, other, of_other in found)
 
     @cached_property
     def _absent(self) -> frozenset[str]:

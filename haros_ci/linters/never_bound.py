@@ -9,7 +9,7 @@ import re
 from collections.abc import Callable, Iterator
 from typing import NamedTuple
 
-from haros_ci.linters.bindings import DEAD, DECLARED, HANDLED, UNCALLED, Names, Scope, Use
+from haros_ci.linters.bindings import DEAD, DECLARED, HANDLED, LATER, UNCALLED, Names, Scope, Use
 from haros_ci.linters.pylint_idioms import nodes
 from haros_ci.regex import regex
 
@@ -59,10 +59,20 @@ def _judged(names: Names, use: Use) -> NeverBound | None:
     if not last:
         why = next((one for one in (UNCALLED, HANDLED, DEAD, DECLARED) if one in whys), DEAD)
         return None if whys == {DECLARED} and scope is names.module else NeverBound(use.name, use.line, why, first)
+    if _is_at_once(use, scope) and use.line < scope.start(first):
+        return NeverBound(use.name, use.line, LATER, first)
     at = scope.deleted.get(use.name, 0)
     if last <= at and _is_behind(names, use, scope, at):
         return NeverBound(use.name, use.line, _DELETED, at)
     return None
+
+
+def _is_at_once(use: Use, scope: Scope) -> bool:
+    """Whether the use is run in the order of the lines of *scope*: no function or comprehension stands between."""
+    inner: Scope | None = use.scope
+    while inner is not None and inner is not scope and inner.kind == "class":
+        inner = inner.parent
+    return inner is scope
 
 
 def _is_behind(names: Names, use: Use, scope: Scope, at: int) -> bool:

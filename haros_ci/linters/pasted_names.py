@@ -28,6 +28,12 @@ _PASTED = regex(r"(?:([A-Za-z_]\w*)\s*)?(?:##|%:%:)(?:\s*([A-Za-z_]\w*))?")
 _DECLARED = regex(r"\b(?:class|struct)\s+([A-Za-z_]\w*)\s*;")
 #: The beginning or the end of a name by custom, which no header of the system has a macro for.
 _PIECE = regex(r"[A-Za-z]\w*_|_[a-z]\w*")
+#: A name as variables have it, of several words, or a keyword: of the macros of the system's headers few are called so, and those of term.h and stdbool.h.
+_USUAL = regex(
+    r"(?!(?:(?:no|required|optional)_argument|sched_priority|h_addr|s_addr|(?:si|sa|st|ss|ut|sigev|ifr|ifc|ifa|ip6|icmp6|nd|mld|rr|ip6t|ipt|arpt|input_event|sqlite3|res|d|tc|v4l2)_\w*)\Z)"
+    r"(?:[a-z][a-z0-9]*(?:_[a-z0-9]+)+|bool|char|short|int|long|float|double|unsigned|signed|void|auto|const|static|inline|return|true|false|nullptr|this|class|struct|enum|typename)"
+)
+_ODD_HEADERS = regex(r"\b(?:n?(?:term|cap|curses)\w*|stdbool)\.h\b")
 #: Rounds in which macros that hand an argument on are found, characters of the arguments of one call, and brackets and commas that are read of one file.
 _ROUNDS, _LONGEST, _MOST = 8, 4_000, 200_000
 _NUMBERED = regex(r"\b([A-Za-z_]\w*?)\d+\b")
@@ -60,7 +66,8 @@ def pasted(file: SourceFile, workspace: Workspace, elsewhere: MacrosElsewhere) -
             macros[match[1]] = _Macro(parameters, match[3])
     places = _handed_on(macros)
     if places:
-        yield from dict.fromkeys(_odd(texts[0], macros, places))
+        usual = None if any(_ODD_HEADERS.search(text) for text in texts) else _USUAL
+        yield from dict.fromkeys(_odd(texts[0], macros, places, usual))
 
 
 def _handed_on(macros: Mapping[str, _Macro]) -> _Places:
@@ -88,7 +95,7 @@ def _handed_on(macros: Mapping[str, _Macro]) -> _Places:
     return {name: numbers for name, numbers in found.items() if numbers}
 
 
-def _odd(text: str, macros: Mapping[str, _Macro], places: _Places) -> Iterator[str]:
+def _odd(text: str, macros: Mapping[str, _Macro], places: _Places, usual: re.Pattern[str] | None) -> Iterator[str]:
     bodies = [(match[2] or "", match[3]) for match in _DEFINE.finditer(text)]
     left = [_MOST]
     for parameters, part in (("", _DEFINE.sub("", text)), *bodies):
@@ -96,6 +103,8 @@ def _odd(text: str, macros: Mapping[str, _Macro], places: _Places) -> Iterator[s
         for name, arguments in _calls(part, places, left):
             for word in (argument.strip() for argument in _taken(macros[name], places[name], arguments)):
                 if _WORD.fullmatch(word) is None or _PIECE.fullmatch(word) or word in own or word in macros:
+                    continue
+                if usual is not None and usual.fullmatch(word):
                     continue
                 if word != "__LINE__" or (
                     any("\n" in argument for argument in arguments) and _has_numbered(text, arguments)

@@ -6,9 +6,9 @@ from __future__ import annotations
 import ast
 from collections.abc import Iterable, Iterator
 
-from haros_ci.linters.constant_tests import constants_of, leaves, truth
 from haros_ci.linters.pylint_idioms import nodes
 from haros_ci.regex import regex
+from haros_ci.results.constant_tests import constants_of, leaves, truth
 from haros_ci.results.python_nodes import dotted, mentions
 
 _MISSING = regex(r"\b(?:ImportError|ModuleNotFoundError|AttributeError|Exception|BaseException)\b")
@@ -42,6 +42,10 @@ def taken(text: str) -> Iterator[tuple[str, str, int]]:
                 if package:
                     found.append((package, name, node.lineno))
                 imported[alias.asname or alias.name] = alias.name
+                if (
+                    alias.name == "os"
+                ):  # the one package of Python's own that brings a module along under a name of the system's
+                    imported[f"{alias.asname or 'os'}.path"] = "os.path"
         elif isinstance(node, ast.Call) and dotted(node.func).rpartition(".")[2] == "import_module":
             given_name = node.args[0].value if node.args and isinstance(node.args[0], ast.Constant) else None
             package, _, name = given_name.rpartition(".") if isinstance(given_name, str) else ("", "", "")

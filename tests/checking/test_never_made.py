@@ -81,3 +81,51 @@ def test_long_conditions_are_not_looked_at() -> None:
 def test_conditions_that_always_hold_are_none(statement: str, text: str, is_kept: bool) -> None:
     conditions = made(("if", "a"), (statement, text)).raw.conditions
     assert len(in_doubt(conditions)) == 1 + is_kept
+
+
+PYTHON = {
+    "use = True\n": True,
+    "def f():\n    use = 1 - 1\n": True,
+    "use: bool = False\n": True,
+    "use = True\nuse = ask()\n": False,
+    "def f(use=True):\n    pass\n": False,
+    "use = ask()\n": False,
+    "def f():\n    use = True\n    def g():\n        nonlocal use\n        use = False\n": False,
+    "from switches import use\n": False,
+    "use = []\n": False,
+    "other = True\n": False,
+    "use = (\n": False,
+}
+CPP = {
+    "const bool use = true;\n": True,
+    "constexpr int use{0};\n": True,
+    "static constexpr auto use = 1;\n": True,
+    "bool use = true;\n": False,
+    "const bool use = ask();\n": False,
+    "// const bool use = true;\n": False,
+    "const bool use = true;\nvoid f() { bool use = ask(); }\n": False,
+    "const bool used = true;\n": False,
+}
+
+
+@pytest.mark.parametrize("condition", ["use", "not use"])
+@pytest.mark.parametrize("text", PYTHON)
+def test_variables_of_python(condition: str, text: str) -> None:
+    assert is_never_made(switched(condition, "a.py"), lambda path: text) is PYTHON[text]
+
+
+@pytest.mark.parametrize("condition", ["use", "!use", "! use"])
+@pytest.mark.parametrize("text", CPP)
+def test_constants_of_cpp(condition: str, text: str) -> None:
+    assert is_never_made(switched(condition, "a.cpp"), lambda path: text) is CPP[text]
+
+
+def test_what_is_more_than_a_name() -> None:
+    for condition in ("use and other", "self.use", "use()", "use.on", "use == 1"):
+        assert not is_never_made(switched(condition, "a.py"), lambda path: "use = True\n")
+    assert not is_never_made(switched("use", "a.py"))
+
+
+def switched(condition: str, path: str) -> Any:
+    one = SimpleNamespace(statement="else", condition=condition, location=SimpleNamespace(path=path))
+    return cast("Any", SimpleNamespace(raw=SimpleNamespace(is_ruled_out=True, conditions=(one,))))

@@ -22,6 +22,7 @@ CLASSES = {
     "test_hostile_hiding_unread.py": "changed files that no tool can read",
     "test_hostile_hiding_comments.py": "comments that silence",
     "test_hostile_hiding_conditions.py": "directives and conditions that cppcheck would read otherwise than a compiler",
+    "test_hostile_hiding_brought.py": "what a change brings that neither linters nor the model see",
     "test_hostile_hiding_limits.py": "files that a change makes too large, or too deeply nested, to be analysed",
     "test_hostile_settings.py": "project files",
     "test_hostile_git.py": "repositories, revisions, git's own settings",

@@ -30,7 +30,7 @@ class DiskReader:
 
     def text(self, path: str) -> str:
         try:
-            return (self.root / path).read_text(encoding="utf-8", errors="replace")
+            return (self.root / path).read_bytes().decode(errors="replace")
         except (OSError, ValueError):
             return ""
 

@@ -20,8 +20,21 @@ FIRES = [
     "from rospy import Publisher as P\nrun(P, 'words')\n",
     "import rospy as r\nrun(r.Timer)\n",
     "from rclpy.action import ActionServer\nrun(ActionServer, node)\n",
+    "operator.methodcaller('create_subscription', String, 'words', heard, 10)(self)\n",
+    "operator.attrgetter('create_publisher')(self)(String, 'words', 10)\n",
+    "vars(Node)['create_client'](self, Say, 'say')\n",
+    "Node.__dict__['create_client'](self, Say, 'say')\n",
+    "self.create_subscription.__call__(String, 'words', heard, 10)\n",
+    "self.__getattribute__('create_service')(Say, 'say', heard)\n",
+    "super().__getattribute__('create_timer')(1, heard)\n",
 ]
 QUIET = [
+    "getattr(self, 'create_subscription')(String, 'words', heard, 10)\n",
+    "log.info('create_subscription')\nprint({'create_publisher': 1}['create_publisher'])\n",
+    "operator.attrgetter('name')(node.create_subscription(String, 'a', f, 1))\n",
+    "vars(Node)['name']\nNode.__dict__['create_all']\n",
+    "self.create_subscription.__doc__\nself.heard.__call__(1)\n",
+    "calls['create_subscription'] = 1\nprint(self.create_subscription.__name__)\n",
     "self.create_subscription(String, 'words', self.heard, 10)\n",
     "make = self.create_subscription\nmake(String, 'words', self.heard, 10)\n",
     "partial(self.create_subscription, String)('words', self.heard, 10)\n",
@@ -51,7 +64,7 @@ CPP = {
 
 @pytest.mark.parametrize("text", FIRES)
 def test_fires(text: str) -> None:
-    assert len(list(given_in_python(text))) == 1
+    assert len(set(given_in_python(text))) == 1
 
 
 @pytest.mark.parametrize("text", QUIET)

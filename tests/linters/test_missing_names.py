@@ -93,6 +93,61 @@ def test_quiet(tmp_path: Path, text: str) -> None:
     assert said(tmp_path, BASE, BASE | {"arm/arm/new.py": text}) == []
 
 
+OF_PYTHON = {
+    "import os\nos.mkdirs('a')\n": ("os", "mkdirs"),
+    "import pickle\n\n\ndef f(x):\n    return pickle.dump_s(x)\n": ("pickle", "dump_s"),
+    "import os\nos.path.joined('a', 'b')\n": ("os.path", "joined"),
+    "import os as o\no.path.joined('a', 'b')\n": ("os.path", "joined"),
+    "from os import path\npath.joined('a', 'b')\n": ("os.path", "joined"),
+    "from math import squareroot\n": ("math", "squareroot"),
+    "import time as t\nt.wait(1)\n": ("time", "wait"),
+    "import datetime\ndatetime.now()\n": ("datetime", "now"),
+    "import xml.etree.ElementTrees\n": ("xml.etree", "ElementTrees"),
+    "import concurrent.future\n": ("concurrent", "future"),
+    "from threading import Thread, Lok\n": ("threading", "Lok"),
+    "import importlib\nimportlib.import_module('xml.etree.Trees')\n": ("xml.etree", "Trees"),
+    "import logging\nlogging.TRACE = 5\nprint(logging.TRACED)\n": ("logging", "TRACED"),
+}
+QUIET_OF_PYTHON = [
+    "import time\ntime.clock()\ntime.sleep(1)\n",
+    "import os\nprint(os.errno, os.getcwdu, os.startfile, os.path.walk, os.PathLike)\n",
+    "import string, sys, itertools, urllib\nprint(string.letters, sys.maxint, itertools.izip, urllib.urlencode)\n",
+    "from collections import Mapping, abc\n",
+    "from typing import override, TypeAlias\n",
+    "import signal\nprint(signal.CTRL_C_EVENT, signal.SIGHUP)\n",
+    "import xml.etree.cElementTree\nimport logging.handlers\nimport concurrent.futures\n",
+    "import sys\nprint(sys._MEIPASS, sys.__stdout__)\n",
+    "import logging\nlogging.TRACE = 5\nprint(logging.TRACE)\n",
+    "import logging\nsetattr(logging, 'NOTICE', 25)\nprint(logging.NOTICE)\n",
+    "import os\nif hasattr(os, 'fly'):\n    os.fly()\n",
+    "import time\ntry:\n    time.wait(1)\nexcept AttributeError:\n    pass\n",
+    "from time import time\ntime.wait\n",
+    "import time\n\n\ndef f(time):\n    return time.wait\n",
+    "from datetime import datetime\ndatetime.now()\n",
+    "import json\njson.dump_s(1)\n",
+    "from distutils.core import anything\n",
+    "import yaml\nyaml.anything()\n",
+    "if False:\n    import math\n    math.squareroot(2)\n",
+]
+
+
+@pytest.mark.parametrize("text", OF_PYTHON)
+def test_modules_of_python(tmp_path: Path, text: str) -> None:
+    module, name = OF_PYTHON[text]
+    (message,) = said(tmp_path, BASE, BASE | {"arm/arm/new.py": text})
+    assert message.startswith(f"arm/arm/new.py: since this change it takes {name} from {module}, a module of Python's ")
+
+
+@pytest.mark.parametrize("text", QUIET_OF_PYTHON)
+def test_modules_of_python_quiet(tmp_path: Path, text: str) -> None:
+    assert said(tmp_path, BASE, BASE | {"arm/arm/new.py": text}) == []
+
+
+def test_another_file_gives_a_module_of_python_a_name(tmp_path: Path) -> None:
+    base = BASE | {"other/other/levels.py": "import logging as log\nimport logging\n\nlogging.NOTICE = 25\n"}
+    assert said(tmp_path, base, base | {"arm/arm/new.py": "import logging\nprint(logging.NOTICE)\n"}) == []
+
+
 def test_the_other_side_changes(tmp_path: Path) -> None:
     base = BASE | {"other/other/user.py": "from arm.tools import width\n", "other/other/far.py": "import arm\n"}
     head = base | {"arm/arm/tools.py": "def height():\n    return 1\n"}

@@ -29,6 +29,9 @@ NAMED = {
     "before it": (f"{CAT}int a = CAT(EINTR, _give);\n", "EINTR"),
     "through two macros": (f"{CAT}#define GIVE(x) CAT(give_, x)\nint a = GIVE(EINTR);\n", "EINTR"),
     "any arguments": ("#define P(...) a##__VA_ARGS__\n#define Q(...) P(__VA_ARGS__)\nint a = Q(EINTR);\n", "EINTR"),
+    "a name of the system's": (f"{CAT}int a = CAT(give_, st_atime);\n", "st_atime"),
+    "one of terminals": (f"#include <term.h>\n{CAT}int a = CAT(give_, key_down);\n", "key_down"),
+    "a keyword of C's": (f"#include <stdbool.h>\n{CAT}int a = CAT(give_, bool);\n", "bool"),
     "a digraph": (f"{CAT.replace('##', '%:%:')}{USE}", "EINTR"),
     "over two lines": (f"{CAT.replace('a##b', chr(92) + chr(10) + ' a##b')}{USE}", "EINTR"),
     "a number of a line": (f"{CAT}#define give_7 1\nint a = CAT(give_,\n  __LINE__);\n", "__LINE__"),
@@ -45,6 +48,9 @@ QUIET = {
     "a comment": f"{CAT}// CAT(give_, EINTR)\n",
     "a class": "#define PTR(N) N##Ptr\n#define FORWARD(C) class C; typedef shared_ptr<C> PTR(C)\nFORWARD(Node);\n",
     "a function": "#define CALL(a) call(a)\nint b = CALL(EINTR);\n",
+    "a variable's name": f"{CAT}int a = CAT(give_, base_dir);\n",
+    "a keyword": f"{CAT}int a = CAT(give_, double);\n",
+    "a longer one": "#define OPT(a) a##_ = get(#a)\n#define REQ(a) check(#a); OPT(a)\nvoid f() { REQ(map_frame_2); }\n",
     "nothing": USE,
 }
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from haros_ci.bounded_yaml import YamlFault
+from haros_ci.bounded_yaml import MERGE, YamlFault
 from haros_ci.extract.launch.ros2_actions import Builder
 from haros_ci.extract.launch.ros2_entity import Entity, compose, scalar
 from haros_ci.model.launch_actions import Description
@@ -81,8 +81,7 @@ class _LaunchYamlReader:
         if node.id == "sequence":
             self.elements(children, node, depth)
         elif node.id == "mapping":
-            for key, value in node.value:
-                name = str(key.value) if key.id == "scalar" else ""
+            for name, (key, value) in self.pairs(node, mark.line + 1).items():
                 if name == "children" and value.id == "sequence":
                     self.elements(children, value, depth)
                 elif value.id == "scalar":
@@ -96,6 +95,24 @@ class _LaunchYamlReader:
         elif scalar(node) is not None:
             self.problem(node, f"'{tag}' needs a map of its attributes")
         return Entity(tag, location, tuple(attributes), tuple(children), is_typed=True)
+
+    def pairs(self, node: Any, line: int, merges: int = 0) -> dict[str, tuple[Any, Any]]:
+        """The keys of a map and their values, as ``yaml.safe_load`` has them: the last of two keys counts, and one that is merged in only where there is no other."""
+        merged: dict[str, tuple[Any, Any]] = {}
+        own: dict[str, tuple[Any, Any]] = {}
+        for key, value in node.value:
+            self.entities += merges > 0
+            if merges > MAX_DEPTH or self.entities > MAX_ENTITIES:
+                raise YamlFault("too much is merged into a map; write it out", line)
+            if key.tag != MERGE:
+                own[str(key.value) if key.id == "scalar" else ""] = (key, value)
+                continue
+            parts = [one for one in (value.value if value.id == "sequence" else [value]) if one.id == "mapping"]
+            for part in reversed(parts):
+                merged.update(self.pairs(part, line, merges + 1))
+            if not parts:
+                self.problem(key, "'<<' merges a map, or a list of maps, into this one; correct it")
+        return {**merged, **own}
 
     def elements(self, found: list[Entity], node: Any, depth: int) -> None:
         for item in node.value:

@@ -122,3 +122,27 @@ def test_a_launch_file_stays_one(path: str, text: str) -> None:
 def test_maps_that_aliases_name_again_and_again_are_looked_through_once() -> None:
     levels = "".join(f"a{n}: &a{n}\n" + "".join(f"  k{m}: *a{n - 1}\n" for m in range(300)) for n in range(1, 6))
     assert read_ros2_yaml(f"a0: &a0\n  k: {{x: 1}}\n{levels}", "bot/launch/a.launch.yaml") is not None
+
+
+@pytest.mark.parametrize(
+    ("node", "executable"),
+    [
+        ("{pkg: p, exec: a, exec: b}", "b"),
+        ("{exec: a, pkg: p, exec: b, pkg: p}", "b"),
+        ("{<<: {pkg: p, exec: a}}", "a"),
+        ("{exec: b, <<: {pkg: p, exec: a}}", "b"),
+        ("{<<: {exec: a, <<: {pkg: p}}}", "a"),
+        ("{pkg: p, <<: [{exec: a}, {exec: b}]}", "a"),
+        ("{pkg: p, exec: a}", "a"),
+        ("{pkg: p, '<<': x, exec: a}", "a"),
+    ],
+)
+def test_keys_that_stand_twice_or_are_merged_are_those_of_yaml(node: str, executable: str) -> None:
+    (found,) = read(f"launch:\n- node: {node}\n").actions
+    assert found.get("executable") == (executable,) and found.get("package") == ("p",)
+
+
+def test_merges_without_end_are_refused() -> None:
+    levels = "".join(f"- group: &g{n} {{<<: [*g{n - 1}, *g{n - 1}, *g{n - 1}]}}\n" for n in range(1, 30))
+    for text in (f"launch:\n- group: &g0 {{scoped: false}}\n{levels}", "launch:\n- group: &g {<<: *g}\n"):
+        assert any("merged" in message for _, message in read(text).problems), text

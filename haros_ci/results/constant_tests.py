@@ -7,6 +7,7 @@ import ast
 import operator
 from collections.abc import Iterable, Mapping
 
+from haros_ci.results.constant_values import UNKNOWN, value_of
 from haros_ci.results.python_nodes import dotted
 
 #: How deep a condition, or an ``if`` that leaves its block, is looked into.
@@ -22,29 +23,17 @@ _COMPARED = {
     ast.GtE: operator.ge,
 }
 _LEAVES = (ast.Return, ast.Raise, ast.Continue, ast.Break)
-_EMPTY = ("list", "tuple", "dict", "set", "frozenset", "str", "bytes", "int", "float", "bool")
 
 
 def constants_of(nodes: Iterable[ast.AST]) -> dict[str, object]:
-    """The names of a module that one assignment alone gives a value, which is written there: ``DEBUG = False``."""
-    values: dict[str, object] = {}
+    """The names that one assignment alone gives a value, in a module or in a function, which is written there: ``DEBUG = False``."""
+    every = tuple(nodes)
     others: set[str] = set()
-    for node in nodes:
-        if isinstance(node, ast.Module):
-            for one in node.body:
-                target = one.targets[0] if isinstance(one, ast.Assign) and len(one.targets) == 1 else None
-                target = one.target if isinstance(one, ast.AnnAssign) else target
-                value = one.value if isinstance(one, ast.Assign | ast.AnnAssign) else None
-                if isinstance(target, ast.Name) and isinstance(value, ast.Constant) and target.id not in values:
-                    values[target.id] = value.value
-                    others.discard(target.id)
-                elif isinstance(target, ast.Name):
-                    others.add(target.id)
     stores: dict[str, int] = {}
-    for node in nodes:
+    for node in every:
         if isinstance(node, ast.Name) and not isinstance(node.ctx, ast.Load):
             stores[node.id] = stores.get(node.id, 0) + 1
-        elif isinstance(node, ast.Global):
+        elif isinstance(node, ast.Global | ast.Nonlocal):
             others.update(node.names)
         elif isinstance(node, ast.arg):
             others.add(node.arg)
@@ -52,7 +41,22 @@ def constants_of(nodes: Iterable[ast.AST]) -> dict[str, object]:
             others.add((node.asname or node.name).partition(".")[0])
         elif isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef | ast.ExceptHandler):
             others.add(node.name or "")
-    return {name: value for name, value in values.items() if stores.get(name) == 1 and name not in others}
+    blocks = [node.body for node in every if isinstance(node, ast.Module)]
+    if "*" not in others:  # else a module may have the name of a variable of a function from elsewhere
+        blocks += [node.body for node in every if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef)]
+    values: dict[str, object] = {}
+    for one in (statement for block in blocks for statement in block):
+        targets = one.targets if isinstance(one, ast.Assign) else [one.target] if isinstance(one, ast.AnnAssign) else []
+        names = [it.id for it in targets if isinstance(it, ast.Name) and it.id not in others and stores[it.id] == 1]
+        if names and isinstance(one, ast.Assign | ast.AnnAssign) and one.value is not None:
+            value = value_of(one.value, values)
+            values.update(dict.fromkeys(names, value) if _is_plain(value) else {})
+    return values
+
+
+def _is_plain(value: object) -> bool:
+    """Whether nothing can be added to it later, as to a list."""
+    return value is None or isinstance(value, bool | int | float | str | bytes)
 
 
 def truth(test: ast.expr, given: Mapping[str, object], depth: int = 0) -> bool | None:
@@ -78,19 +82,32 @@ def truth(test: ast.expr, given: Mapping[str, object], depth: int = 0) -> bool |
         decides = isinstance(test.op, ast.Or)
         parts = [truth(one, given, depth + 1) for one in test.values]
         return decides if decides in parts else None if None in parts else not decides
+    if isinstance(test, ast.IfExp):
+        known = truth(test.test, given, depth + 1)
+        return None if known is None else truth(test.body if known else test.orelse, given, depth + 1)
+    if isinstance(test, ast.JoinedStr):
+        texts = [bool(one.value) for one in test.values if isinstance(one, ast.Constant)]
+        return any(texts) or (None if len(texts) < len(test.values) else False)
+    if isinstance(test, ast.Lambda):
+        return True
     if isinstance(test, ast.Compare) and len(test.ops) == 1:
-        return _compared(test.left, test.ops[0], test.comparators[0], given)
-    if isinstance(test, ast.Call) and isinstance(test.func, ast.Name) and test.func.id in _EMPTY and not test.keywords:
-        if not test.args:
-            return False
-        return truth(test.args[0], given, depth + 1) if test.func.id == "bool" and len(test.args) == 1 else None
-    return None
+        asked = _asked(test.left, test.ops[0], test.comparators[0])
+        if asked is not None:
+            return asked
+    value = value_of(test, given)
+    return None if value is UNKNOWN else bool(value)
 
 
 def is_empty(values: ast.expr, given: Mapping[str, object]) -> bool:
     """Whether a loop over *values* has no turn."""
     if isinstance(values, ast.Call) and isinstance(values.func, ast.Name) and values.func.id == "range":
-        return len(values.args) == 1 and isinstance(values.args[0], ast.Constant) and values.args[0].value == 0
+        numbers = [value_of(one, given) for one in values.args]
+        if values.keywords or not all(isinstance(one, int) for one in numbers) or not 0 < len(numbers) < 4:
+            return False
+        try:
+            return not range(*(one for one in numbers if isinstance(one, int)))
+        except ValueError:  # a step of 0
+            return False
     is_text = isinstance(values, ast.Constant) and isinstance(values.value, str | bytes)
     is_group = isinstance(values, ast.List | ast.Tuple | ast.Set | ast.Dict | ast.Call)
     return (is_text or is_group) and truth(values, given) is False
@@ -109,7 +126,8 @@ def leaves(statement: ast.stmt, given: Mapping[str, object], depth: int = 0) -> 
     return False
 
 
-def _compared(left: ast.expr, sign: ast.cmpop, right: ast.expr, given: Mapping[str, object]) -> bool | None:
+def _asked(left: ast.expr, sign: ast.cmpop, right: ast.expr) -> bool | None:
+    """The answer of a question on the name of the module, or on the version of Python."""
     compare = _COMPARED.get(type(sign))
     if compare is None:
         return None
@@ -119,26 +137,15 @@ def _compared(left: ast.expr, sign: ast.cmpop, right: ast.expr, given: Mapping[s
     is_first = isinstance(left, ast.Subscript) and isinstance(left.slice, ast.Constant) and left.slice.value == 0
     text = f"{dotted(left.value)}.major" if isinstance(left, ast.Subscript) and is_first else dotted(left)
     if text in ("sys.version_info.major", "version_info.major"):
-        major = _constant(right, {})
+        major = value_of(right, {})
         return bool(compare(3, major)) if isinstance(major, int) else None
     if text in ("sys.version_info", "version_info") and isinstance(right, ast.Tuple):
         least = tuple(one.value for one in right.elts if isinstance(one, ast.Constant) and isinstance(one.value, int))
         answers = {bool(compare((3, minor, 9), least)) for minor in range(_OLDEST[1], 30)}
         return answers.pop() if len(answers) == 1 and len(least) == len(right.elts) and least else None
-    first, second = _constant(left, given), _constant(right, given)
-    if isinstance(first, bool) or isinstance(second, bool):
-        return None
-    if isinstance(first, int) and isinstance(second, int):
-        return bool(compare(first, second))
-    return bool(compare(first, second)) if isinstance(first, str) and isinstance(second, str) else None
+    return None
 
 
 def _is_module(name: str) -> bool:
     """Whether a module can be called so when it is run or imported: then the answer is not known here."""
     return name == "__main__" or "." in name or name.startswith("__")
-
-
-def _constant(node: ast.expr, given: Mapping[str, object]) -> object:
-    if isinstance(node, ast.Constant):
-        return node.value
-    return given.get(node.id) if isinstance(node, ast.Name) else None
