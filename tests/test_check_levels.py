@@ -298,6 +298,7 @@ def test_a_file_that_git_ignores_is_made_elsewhere(
     assert levels(check, files, tmp_path) == [expected]
 
 
+OWN = '<arg name="robot" default="$(var robot)"/>'
 READS = '<launch><node pkg="demo" exec="n" namespace="$(var robot)"/></launch>\n'
 
 
@@ -311,6 +312,18 @@ READS = '<launch><node pkg="demo" exec="n" namespace="$(var robot)"/></launch>\n
         ({"launch/a.launch.xml": f"<!-- robot:=NAME is needed -->\n{READS}"}, Level.NOTE),
         ({"launch/a.launch.xml": READS.replace("<node", '<arg name="robots" default=""/><node')}, Level.ERROR),
         ({"launch/a.launch.xml": READS.replace("</launch>", '<arg name="robot" default=""/></launch>')}, Level.ERROR),
+        ({"launch/a.launch.xml": READS.replace("<node", f"{OWN}<node")}, Level.WARNING),
+        (
+            {
+                "launch/a.launch.xml": READS.replace("<node", f"{OWN}<node"),
+                "run.sh": "ros2 launch demo a.launch.xml robot:=$1\n",
+            },
+            Level.NOTE,
+        ),
+        (
+            {"launch/a.launch.xml": READS.replace("<node", f"{OWN.replace('(var robot)', '(var robots)')}<node")},
+            Level.ERROR,
+        ),
     ],
 )
 def test_a_launch_configuration_that_the_command_line_can_give(
