@@ -50,6 +50,9 @@ def _of(package: ProjectPackage, programs: Programs) -> Iterator[Finding]:
         return
     libraries = list(_libraries(package)) if _is_known(package) else []
     left = list(uninstalled(package, programs))
+    if _installs_python_alone(package):
+        libraries = [replace(library, level=Level.NOTE) for library in libraries]
+        left = [replace(one, level=Level.NOTE) if one.kind == "executable" else one for one in left]
     if (libraries or left) and installs_nothing(package):
         yield _nothing(package, libraries, left)
         return
@@ -63,6 +66,16 @@ def _of(package: ProjectPackage, programs: Programs) -> Iterator[Finding]:
 
 def _is_known(package: ProjectPackage) -> bool:
     return bool(package.build.commands) and package.cmake.is_whole and not package.cmake.installs_unknown
+
+
+def _installs_python_alone(package: ProjectPackage) -> bool:
+    """Whether all that a package of ROS 1 installs are scripts, by catkin_install_python(): a devel space needs that, too, for their interpreter."""
+    return (
+        package.ros == 1
+        and _is_known(package)
+        and bool(package.commands("catkin_install_python"))
+        and not package.commands("install")
+    )
 
 
 def _nothing(package: ProjectPackage, libraries: list[Finding], left: list[Uninstalled]) -> Finding:

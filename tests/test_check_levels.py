@@ -685,6 +685,26 @@ def test_a_nodelet_that_nothing_loads(files: dict[str, str], base: str, expected
     assert levels("directory-not-installed", {**package, **files}, tmp_path / "other") == []
 
 
+PYTHON = "catkin_install_python(PROGRAMS scripts/b.py DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})\n"
+A_FILE = "install(FILES a.yaml DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})\n"
+
+
+@pytest.mark.parametrize(
+    ("installs", "expected"),
+    [(PYTHON, Level.NOTE), (A_FILE, Level.WARNING), (PYTHON + A_FILE, Level.WARNING), ("", Level.NOTE)],
+)
+def test_a_package_of_ros1_that_installs_scripts_alone(installs: str, expected: Level, tmp_path: Path) -> None:
+    files = {
+        "package.xml": ROS1,
+        "CMakeLists.txt": f"{CATKIN}add_executable(speed a.cpp)\n{installs}",
+        "a.cpp": "int main() { ros::init(); }\n",
+        "a.yaml": "",
+        "scripts/b.py": "#!/usr/bin/env python3\n",
+        "launch/a.launch": '<launch><node pkg="demo" type="speed" name="s"/></launch>\n',
+    }
+    assert levels("target-not-installed", files, tmp_path) == [expected]
+
+
 @pytest.mark.parametrize(
     ("launch", "comment", "expected"),
     [
