@@ -89,7 +89,7 @@ def _undeclared(read: ArgumentRead, others: tuple[Location, ...], how: str, is_h
 
 
 def _circular(read: ArgumentRead, others: tuple[Location, ...], level: Level) -> Finding:
-    """A name that stands in the default of its own declaration: an argument that has to be given, as one without a default, but of which nobody is told."""
+    """A name that stands in the default of its own declaration: it has to be given, as one without a default, and `ros2 launch --show-args` does not say so."""
     return Finding(
         at=read.location,
         message=(
