@@ -19,9 +19,31 @@ from haros_ci.api import (
     near,
 )
 
+#: So many parameters that several nodes of a launch file are given alike are one set for all of them.
+_SET = 3
+
 
 def check(system: System) -> Iterator[Finding]:
     groups: dict[tuple[str, str, str, str], list[Given]] = {}
+    found = list(_undeclared(system))
+    in_sets = _in_sets(system, [parameter for parameter, _ in found])
+    for parameter, section in found:
+        if id(parameter) in in_sets:
+            continue
+        name = "" if section else _meant(parameter) or (parameter.key if "." not in parameter.key else "")
+        groups.setdefault(
+            (parameter.node.name, parameter.at.path, section or parameter.key.rpartition(".")[0], name), []
+        ).append(parameter)
+    for (_, _, section, _), group in groups.items():
+        lines = {parameter.place: parameter for parameter in group}
+        keys = sorted({key for _, key in lines})
+        yield _finding(
+            min(group, key=lambda parameter: parameter.at.sort_key), section, keys, _declaring(system, group[0], keys)
+        )
+
+
+def _undeclared(system: System) -> Iterator[tuple[Given, str]]:
+    """What nodes are given and do not declare, with the section of which nothing is declared."""
     for parameter in system.given:
         if (
             parameter.place not in system.taken
@@ -36,16 +58,27 @@ def check(system: System) -> Iterator[Finding]:
                 or is_read_besides(system, parameter)
                 or _is_shared(system, parameter)
             ):
-                name = "" if section else _meant(parameter) or (parameter.key if "." not in parameter.key else "")
-                groups.setdefault(
-                    (parameter.node.name, parameter.at.path, section or parameter.key.rpartition(".")[0], name), []
-                ).append(parameter)
-    for (_, _, section, _), group in groups.items():
-        lines = {parameter.place: parameter for parameter in group}
-        keys = sorted({key for _, key in lines})
-        yield _finding(
-            min(group, key=lambda parameter: parameter.at.sort_key), section, keys, _declaring(system, group[0], keys)
-        )
+                yield parameter, section
+
+
+def _in_sets(system: System, undeclared: Sequence[Given]) -> set[int]:
+    """Which of *undeclared* are of a set that a launch file gives to several nodes: three or more, each with the same value for a node that declares it."""
+    by_node: dict[tuple[int, str], list[Given]] = {}
+    for parameter in undeclared:
+        if parameter.raw.origin is None:
+            by_node.setdefault((id(parameter.node), parameter.at.path), []).append(parameter)
+    taken = {
+        (given.at.path, given.key, repr(given.value))
+        for node in system.nodes
+        for given in node.given
+        if given.raw.origin is None and given.key in node.names.declared
+    }
+    found: set[int] = set()
+    for (_, path), group in by_node.items():
+        shared = [given for given in group if (path, given.key, repr(given.value)) in taken]
+        if len({given.key for given in shared}) >= _SET:
+            found.update(map(id, shared))
+    return found
 
 
 def _section(parameter: Given) -> str:

@@ -45,7 +45,9 @@ class _Package:
     exports: dict[str, dict[str, Location]]
     libraries: dict[str, Target]
     by_type: dict[str, list[Registration]] = field(default_factory=dict)
-    by_last: dict[str, list[Registration]] = field(default_factory=dict)  # by the last part of the class's name
+    by_last: dict[str, list[Registration]] = field(
+        default_factory=dict
+    )  # by the last part of the class's name, in small letters
     described: list[PluginClass] = field(default_factory=list)
     awaits_description: bool = False  # a class is registered that no description names
     left_over: int = 0
@@ -53,7 +55,7 @@ class _Package:
     def __post_init__(self) -> None:
         for registration in self.registered:
             self.by_type.setdefault(registration.type, []).append(registration)
-            self.by_last.setdefault(registration.type.rpartition("::")[2], []).append(registration)
+            self.by_last.setdefault(registration.type.rpartition("::")[2].lower(), []).append(registration)
         every = self.package.build.plugins
         offered = (p for p in every if p.base != _COMPONENT and p.location.path in self.exports)
         self.described += (p for p in offered if not is_tree_node(p.base, self.exports[p.location.path]))
@@ -183,7 +185,7 @@ def _has_class(plugin: PluginClass, found: _Package) -> bool:
 
 def _not_registered(plugin: PluginClass, library: Target, found: _Package, macros: list[Registration]) -> Finding:
     last = plugin.type.rpartition("::")[2]
-    alike = [m for m in found.by_last.get(last, ()) if m.type != plugin.type]
+    alike = [m for m in found.by_last.get(last.lower(), ()) if m.type != plugin.type]
     related: tuple[tuple[Location, str], ...] = ()
     if macros:
         hint = f"add {macros[0].location.path}, which registers it, to the sources if it compiles, or remove the class here"

@@ -18,6 +18,7 @@ from haros_ci.api.packages import (
     is_copy_by_name,
     is_program,
     is_said_not_installed,
+    left_out_on_purpose,
     lost_plugins,
     may_be_installed,
     plugin_library,
@@ -49,6 +50,9 @@ def _of(package: ProjectPackage, programs: Programs) -> Iterator[Finding]:
         return
     libraries = list(_libraries(package)) if _is_known(package) else []
     left = list(uninstalled(package, programs))
+    if _installs_python_alone(package):
+        libraries = [replace(library, level=Level.NOTE) for library in libraries]
+        left = [replace(one, level=Level.NOTE) if one.kind == "executable" else one for one in left]
     if (libraries or left) and installs_nothing(package):
         yield _nothing(package, libraries, left)
         return
@@ -62,6 +66,16 @@ def _of(package: ProjectPackage, programs: Programs) -> Iterator[Finding]:
 
 def _is_known(package: ProjectPackage) -> bool:
     return bool(package.build.commands) and package.cmake.is_whole and not package.cmake.installs_unknown
+
+
+def _installs_python_alone(package: ProjectPackage) -> bool:
+    """Whether all that a package of ROS 1 installs are scripts, by catkin_install_python(): a devel space needs that, too, for their interpreter."""
+    return (
+        package.ros == 1
+        and _is_known(package)
+        and bool(package.commands("catkin_install_python"))
+        and not package.commands("install")
+    )
 
 
 def _nothing(package: ProjectPackage, libraries: list[Finding], left: list[Uninstalled]) -> Finding:
@@ -248,6 +262,8 @@ def _left_of_many(package: ProjectPackage) -> Iterator[tuple[Target, str, tuple[
     every = [t for t in cmake.targets.values() if t.kind == "library" and not t.is_test and cmake.is_shared(t) is True]
     left = [target for target in every if not may_be_installed(package, target)]
     if len(left) != 1 or len(every) < 4 or is_said_not_installed(package, left[0].location):
+        return
+    if left[0].name in left_out_on_purpose(package):
         return
     if any(left[0].name in command.arguments[1:] for command in package.commands("target_link_libraries")):
         return

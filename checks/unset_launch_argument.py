@@ -16,13 +16,20 @@ def check(system: System) -> Iterator[Finding]:
     yield from _missing(system)
     needs = any(fact.is_top and fact.default is None and fact.ros == 2 for fact in system.facts(ArgumentDeclaration))
     places: dict[str, set[str]] = {}
+    own: set[tuple[str, str]] = set()
     for fact in system.facts(ArgumentDeclaration):
         places.setdefault(fact.name, set()).add(fact.location.path)
+        if f"$(var {fact.name})" in (fact.default or ""):
+            own.add((fact.location.path, fact.name))
     for read, others in _first(system.facts(ArgumentRead)):
         # A launch file of ROS 2 that cannot be launched by itself is there to be included, and inherits what is set around it.
         if read.ros == 2 and needs:
             continue
         how = f"$(arg {read.name})" if read.ros == 1 else f"launch configuration {read.name!r}"
+        if read.ros == 2 and (read.location.path, read.name) in own:
+            is_given = system.whole.is_shown(read.name, read.location.path)
+            yield _circular(read, others, Level.NOTE if is_given else Level.WARNING)
+            continue
         if read.ros == 2 and read.name in places:
             yield _undeclared(read, others, how, read.location.path in places[read.name])
             continue
@@ -78,6 +85,23 @@ def _undeclared(read: ArgumentRead, others: tuple[Location, ...], how: str, is_h
         flow=included_by(read),
         presence=read.presence,
         level=None if is_here else Level.NOTE,
+    )
+
+
+def _circular(read: ArgumentRead, others: tuple[Location, ...], level: Level) -> Finding:
+    """A name that stands in the default of its own declaration: it has to be given, as one without a default, and `ros2 launch --show-args` does not say so."""
+    return Finding(
+        at=read.location,
+        message=(
+            f"launch configuration {read.name!r} stands in the default of its own declaration: launch stops here, "
+            f"unless '{read.name}:=…' is given; write another default, or none"
+        ),
+        about=(read.name,),
+        related=tuple((place, "is read here, too") for place in others),
+        apart=(read.name,),
+        flow=included_by(read),
+        presence=read.presence,
+        level=level,
     )
 
 

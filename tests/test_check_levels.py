@@ -298,6 +298,7 @@ def test_a_file_that_git_ignores_is_made_elsewhere(
     assert levels(check, files, tmp_path) == [expected]
 
 
+OWN = '<arg name="robot" default="$(var robot)"/>'
 READS = '<launch><node pkg="demo" exec="n" namespace="$(var robot)"/></launch>\n'
 
 
@@ -311,6 +312,18 @@ READS = '<launch><node pkg="demo" exec="n" namespace="$(var robot)"/></launch>\n
         ({"launch/a.launch.xml": f"<!-- robot:=NAME is needed -->\n{READS}"}, Level.NOTE),
         ({"launch/a.launch.xml": READS.replace("<node", '<arg name="robots" default=""/><node')}, Level.ERROR),
         ({"launch/a.launch.xml": READS.replace("</launch>", '<arg name="robot" default=""/></launch>')}, Level.ERROR),
+        ({"launch/a.launch.xml": READS.replace("<node", f"{OWN}<node")}, Level.WARNING),
+        (
+            {
+                "launch/a.launch.xml": READS.replace("<node", f"{OWN}<node"),
+                "run.sh": "ros2 launch demo a.launch.xml robot:=$1\n",
+            },
+            Level.NOTE,
+        ),
+        (
+            {"launch/a.launch.xml": READS.replace("<node", f"{OWN.replace('(var robot)', '(var robots)')}<node")},
+            Level.ERROR,
+        ),
     ],
 )
 def test_a_launch_configuration_that_the_command_line_can_give(
@@ -670,6 +683,26 @@ def test_a_nodelet_that_nothing_loads(files: dict[str, str], base: str, expected
     package["CMakeLists.txt"] = LIBRARY
     assert levels("target-not-installed", {**package, **files}, tmp_path) == [expected]
     assert levels("directory-not-installed", {**package, **files}, tmp_path / "other") == []
+
+
+PYTHON = "catkin_install_python(PROGRAMS scripts/b.py DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})\n"
+A_FILE = "install(FILES a.yaml DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})\n"
+
+
+@pytest.mark.parametrize(
+    ("installs", "expected"),
+    [(PYTHON, Level.NOTE), (A_FILE, Level.WARNING), (PYTHON + A_FILE, Level.WARNING), ("", Level.NOTE)],
+)
+def test_a_package_of_ros1_that_installs_scripts_alone(installs: str, expected: Level, tmp_path: Path) -> None:
+    files = {
+        "package.xml": ROS1,
+        "CMakeLists.txt": f"{CATKIN}add_executable(speed a.cpp)\n{installs}",
+        "a.cpp": "int main() { ros::init(); }\n",
+        "a.yaml": "",
+        "scripts/b.py": "#!/usr/bin/env python3\n",
+        "launch/a.launch": '<launch><node pkg="demo" type="speed" name="s"/></launch>\n',
+    }
+    assert levels("target-not-installed", files, tmp_path) == [expected]
 
 
 @pytest.mark.parametrize(

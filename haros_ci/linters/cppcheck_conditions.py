@@ -16,6 +16,10 @@ OF_VALUES = frozenset(
 )
 _NUMBER = regex(r"(?<![\w.'])(?:0[xX]([0-9a-fA-F']{1,40})|([1-9][0-9']{0,40}))[uUlLzZ]{0,3}(?![\w']|\.\d)")
 _LARGEST = 2**63 - 1
+#: ``Either the condition 'step>0' is redundant or there is division by zero at line 42.``
+_SIGN = regex(r"condition '([A-Za-z_][\w.]{0,100})(?:>|<|>=|<=)0(?:\.0*f?)?'")
+#: Lines above a division in which the condition may stand.
+_NEAR = 6
 _OPPOSITE = regex(r"opposite to previous condition")
 _HIDDEN = regex(
     r"//[^\n]*|/\*.*?(?:\*/|\Z)|\"(?:[^\"\\\n]|\\.){0,1000}\"|'(?:[^'\\\n]|\\.){1,8}'|\bR\"\(.{0,4000}?\)\"", re.DOTALL
@@ -57,6 +61,22 @@ def is_spelled_out(message: str, line: int, text: str) -> bool:
         statement = re.match(r"(?!\s*(?:if|for|while|do|switch|try|else)\b)[^;{}]{0,2000};", rest[end:])
         after = end + statement.end() if statement is not None else None
     return after is not None and _ELSE.match(rest, after) is None and bool(rest[after:].strip())
+
+
+def asks_for_sign(message: str, line: int, text: str) -> bool:
+    """Whether the condition that *message* names asks whether the divisor is above or below zero, and its branch divides by it as well.
+
+    ``if (step > 0) return a / step; return b / step;``: who divides on both ways takes it for granted that it is not zero.
+    """
+    named = _SIGN.search(message)
+    if named is None:
+        return False
+    name = re.escape(named[1])
+    above = _HIDDEN.sub("", "\n".join(text.split("\n")[max(line - 1 - _NEAR, 0) : max(line - 1, 0)]))
+    condition = None
+    for condition in re.finditer(rf"\bif\s*\(\s*{name}\s*[<>]=?\s*0(?:\.0*f?)?\s*\)", above):  # noqa: B007 - the last one
+        pass
+    return condition is not None and re.search(rf"[/%]=?\s*{name}(?![\w.(\[])", above[condition.end() :]) is not None
 
 
 def _closed(text: str, start: int, opening: str, closing: str) -> int | None:

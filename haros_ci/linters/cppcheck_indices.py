@@ -47,7 +47,7 @@ def is_searched(steps: Iterable[Step], text: Callable[[str], str]) -> bool:
 def is_multiple(line: int, text: str) -> bool:
     """Whether the branch around *line* asks for a positive multiple (``n > 0 && n % 34 == 0``), of which the quotient is one at least."""
     before = _laid(text.split("\n")[max(line - _CONDITION, 0) : max(line - 1, 0)])
-    for modulo in re.finditer(r"\b(\w{1,100})\s*%\s*(\w{1,100})\s*==\s*0\b", before):
+    for modulo in re.finditer(r"\b(\w{1,100})\s*%\s*(\w{1,100})\s*(?:\)\s*)?==\s*0\b", before):
         name, divisor = map(re.escape, modulo.groups())
         is_positive = re.search(rf"\b{name}\s*(?:>\s*0|>=\s*1|!=\s*0)(?![\w.])", before)
         quotient = re.search(rf"\b{name}\s*/\s*{divisor}\b", before[modulo.end() :])

@@ -6,7 +6,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 
-from haros_ci.linters.cppcheck_conditions import has_large_constant
+from haros_ci.linters.cppcheck_conditions import asks_for_sign, has_large_constant
 from haros_ci.regex import regex
 from haros_ci.results.scope import scopes
 
@@ -136,6 +136,7 @@ OF_WAYS: dict[str, Callable[[str, int, str], bool]] = {
     "throwInNoexceptFunction": is_thrown_elsewhere,
     "resourceLeak": loses_nothing,
     "compareValueOutOfTypeRangeError": is_named_limit,
+    "zerodivcond": asks_for_sign,
 }
 
 

@@ -5,11 +5,18 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Iterator
+from typing import TypeAlias
 
 from haros_ci.linters.pylint_idioms import nodes
 from haros_ci.results.python_nodes import is_same
 
 _DEFINITIONS = (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)
+_Definition: TypeAlias = ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef
+#: Decorators that hand a function on under another name, which they are given: those of Socket.IO, discord.py and the like.
+#: Flask's ``route`` is none: it takes no second function of one name.
+_REGISTERING = frozenset(
+    "errorhandler event exception_handler handle handler listen listener on on_event on_message subscribe".split()
+)
 
 
 def is_of_renamed(text: str, line: int, column: int) -> bool:
@@ -35,19 +42,37 @@ def is_of_renamed(text: str, line: int, column: int) -> bool:
     )
 
 
-def is_the_same(text: str, line: int) -> bool:
-    """Whether the function or class that begins at *line* is word for word the one of its name before it in the block: nothing is lost."""
+def loses_nothing(text: str, line: int) -> bool:
+    """Whether nothing is lost where the function or class that begins at *line* takes the place of the one of its name before it in the block.
+
+    It is word for word the same, or both are registered under names of their own: ``@io.on("open")`` above one ``def done``, ``@io.on("close")``
+    above the other. Whoever calls those does not call them by the name that they share.
+    """
     for block in _blocks(text):
-        before: dict[str, ast.stmt] = {}
+        before: dict[str, _Definition] = {}
         for statement in block:
             if not isinstance(statement, _DEFINITIONS):
                 continue
             first = before.get(statement.name)
             begin = min([statement.lineno, *(decorator.lineno for decorator in statement.decorator_list)])
             if first is not None and begin <= line <= statement.lineno:
-                return is_same(first, statement)
+                one, other = _registered_as(first), _registered_as(statement)
+                return is_same(first, statement) or (bool(one and other) and one != other)
             before[statement.name] = statement
     return False
+
+
+def _registered_as(definition: _Definition) -> str:
+    """The only decorator of *definition*, a function, that registers it under a text; "" if it has no such decorator, or several."""
+    if isinstance(definition, ast.ClassDef) or len(definition.decorator_list) != 1:
+        return ""
+    call = definition.decorator_list[0]
+    if not (isinstance(call, ast.Call) and isinstance(call.func, ast.Attribute) and call.func.attr in _REGISTERING):
+        return ""
+    first = call.args[0] if call.args else None
+    if not (isinstance(first, ast.Constant) and isinstance(first.value, str)):
+        return ""
+    return ast.dump(call)
 
 
 def _blocks(text: str) -> Iterator[list[ast.stmt]]:

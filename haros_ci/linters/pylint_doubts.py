@@ -11,7 +11,7 @@ import re
 
 from haros_ci.linters.class_methods import is_class_method, takes_value
 from haros_ci.linters.decorated import is_decorated
-from haros_ci.linters.pylint_definitions import is_of_renamed, is_the_same
+from haros_ci.linters.pylint_definitions import is_of_renamed, loses_nothing
 from haros_ci.linters.pylint_idioms import (
     is_choice_of_calls,
     is_instead_of_import,
@@ -128,7 +128,7 @@ def is_refuted(rule: str, line: int, column: int, text: str) -> bool:  # noqa: C
     if rule == "comparison-with-itself":
         return is_test_for_nan(text, line)
     if rule == "function-redefined":
-        return is_used_before(text, line) or is_instead_of_import(text, line) or is_the_same(text, line)
+        return is_used_before(text, line) or is_instead_of_import(text, line) or loses_nothing(text, line)
     if rule == "modified-iterating-dict":
         return is_of_known_key(text, line)
     if rule == "self-cls-assignment":

@@ -43,6 +43,23 @@ _CHANGED = regex(
     r"\b(?:contributions? (?:by|copyright)|adapted|modified (?:by|for|from|version)|modifications? (?:by|copyright)|ported (?:by|from|to)|port of)\b",
     re.IGNORECASE,
 )
+#: Makers of chips and boards, as copyright lines name them, and what manifests of their own have of them.
+_MAKERS = tuple(
+    (regex(name, re.IGNORECASE), regex(own, re.IGNORECASE))
+    for name, own in (
+        (r"texas instruments", r"texas instruments|[@.]ti\.com\b"),
+        (r"stmicroelectronics", r"stmicroelectronics|[@.]st\.com\b"),
+        (r"\b(?:nxp|freescale) semiconductors?\b", r"\bnxp\b|\bfreescale\b"),
+        (r"\bnvidia corporation\b", r"\bnvidia\b"),
+        (r"nordic semiconductor", r"nordic semiconductor|[@.]nordicsemi\."),
+        (r"espressif systems", r"\bespressif\b"),
+        (r"microchip technology|\batmel corporation\b", r"\bmicrochip\b|\batmel\b"),
+        (r"infineon technologies|\bcypress semiconductor\b", r"\binfineon\b|\bcypress\b"),
+        (r"renesas electronics", r"\brenesas\b"),
+        (r"bosch sensortec", r"\bbosch\b"),
+        (r"\binvensense\b", r"\binvensense\b|\btdk\b"),
+    )
+)
 _WORD = regex(r"[^\W\d_]{4,}")
 #: Words of an owner that say nothing of who it is.
 _COMMON = frozenset(
@@ -69,6 +86,8 @@ class SingleCopies(Judged):
     The first comment of such a file has a copyright line and a licence. No manifest, and no other first comment of the workspace, has a
     word of the owner's name; no other file of the package, nor its manifest, has that licence; and there are several others.
     The file uses nothing of ROS and nothing of the workspace, and does not say that it has been changed.
+
+    Of a maker of chips or boards that no manifest names every file with its copyright and a licence is one, however many there are.
     """
 
     def _judge(self, files: Collection[SourceFile]) -> Iterable[str]:
@@ -84,6 +103,8 @@ class SingleCopies(Judged):
             return False
         if _OF_ROS.search(text) or not owner.isdisjoint(self._people):
             return False
+        if self._is_of_maker(head):
+            return True
         own = [other_file for other_file in self._code if not owner.isdisjoint(self._heads[other_file.path])]
         directory = posixpath.dirname(file.path)
         beside = [other_file for other_file in own if posixpath.dirname(other_file.path) == directory]
@@ -103,6 +124,12 @@ class SingleCopies(Judged):
         if len(others) < OTHERS or any(_licences(self._head(other)) & licences for other in others):
             return False
         return not self._of_package(file.package) & licences and not self._uses_others(text, others)
+
+    def _is_of_maker(self, head: str) -> bool:
+        """Whether all copyright lines of *head* are of one maker of chips that no manifest names: what comes with the hardware."""
+        lines = [found[1] for found in _OWNER.finditer(head)]
+        named = [own for name, own in _MAKERS if lines and all(name.search(line) for line in lines)]
+        return bool(named) and not any(own.search(text) for own in named for text in self._manifests)
 
     def _is_again(self, file: SourceFile, beside: Collection[SourceFile]) -> bool:
         """Whether *file* is one of those *beside* the copy, or one of them word for word: somebody has put the library in twice."""
@@ -132,8 +159,12 @@ class SingleCopies(Judged):
     @cached_property
     def _people(self) -> frozenset[str]:
         """The words of all manifests: who maintains and has written what, and where they work."""
+        return frozenset(word for text in self._manifests for word in _words(text))
+
+    @cached_property
+    def _manifests(self) -> tuple[str, ...]:
         names = (path for path in self._workspace.names if posixpath.basename(path) in _MANIFESTS)
-        return frozenset(word for path in names for word in _words(self._workspace.text(path)))
+        return tuple(map(self._workspace.text, names))
 
     def _of_package(self, name: str | None) -> frozenset[str]:
         """The licences that the package's manifest has, those of all where the file is in none."""

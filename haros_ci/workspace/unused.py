@@ -107,11 +107,21 @@ class Unused(Judged):
             for path, stem in tuple(stems.items()):
                 if self._is_set_aside(self._files[path]) and self._is_set_aside(other):
                     continue  # what is archived together names each other, and so do trials
-                if other.path != path and stem in text and re.search(rf"(?<!\w){re.escape(stem)}(?!\w)", text):
+                if other.path != path and stem in text and re.search(self._naming(self._files[path], stem), text):
                     del stems[path]
             if not stems:
                 break
         return list(stems)
+
+    def _naming(self, file: SourceFile, stem: str) -> str:
+        """The pattern of what names *file*: its *stem* as a word, but a common word (``controller``) of an archived file as a module or a file alone."""
+        name = re.escape(stem)
+        if is_archived(file.path) and stem.isalpha() and stem.islower():
+            return (
+                rf"(?m)(?<!\w){name}\.py(?!\w)|[\"'/]{name}[\"']|^[ \t]*{name}[ \t]*,?[ \t]*$"
+                rf"|\bimport[ \t(][^\n]{{0,200}}(?<!\w){name}(?!\w)|\bfrom[ \t]+[\w.]{{0,200}}(?<!\w){name}(?!\w)"
+            )
+        return rf"(?<!\w){name}(?!\w)"
 
     @cached_property
     def _by_order(self) -> list[SourceFile]:

@@ -73,7 +73,7 @@ def of(condition: str, before: str = "int full = size / 34;") -> tuple[int, str]
 
 @pytest.mark.parametrize(
     "condition",
-    ["size > 0 && size % 34 == 0", "size % 34 == 0 && size > 0", "size >= 1 && (size % 34 == 0)", "size != 0 && size % 34 == 0 && on"],
+    ["size > 0 && size % 34 == 0", "size % 34 == 0 && size > 0", "size >= 1 && (size % 34 == 0)", "size != 0 && size % 34 == 0 && on", "size > 0 && ((size % 34)==0)"],
 )  # fmt: skip
 def test_a_positive_multiple(condition: str) -> None:
     assert is_multiple(*of(condition))

@@ -128,3 +128,27 @@ def test_values_of_a_matrix_over_several_lines(text: str, expected: bool) -> Non
     assert not is_refuted(
         "constStatement", "Found suspicious operator '+', result is not used.", text.count("\n") + 1, text
     )
+
+
+DIVIDED = "Either the condition '{}' is redundant or there is division by zero at line 3."
+
+
+@pytest.mark.parametrize(
+    ("condition", "text", "expected"),
+    [
+        ("step>0", "if(step > 0)\n  return a / step;\nreturn b / step;", True),
+        ("step<0", "if (step < 0) {\n  return a % step; }\nreturn b / step;", True),
+        ("s.step>=0.0", "if (s.step >= 0.0)\n  n = a / s.step; else\n  n = b / s.step;", True),
+        ("step>0", "if (step > 0)\n  return a;\nreturn b / step;", False),
+        ("step>0", "n = a / step;\nif (step > 0)\n  return b / step;", False),
+        ("step!=0", "if (step != 0)\n  return a / step;\nreturn b / step;", False),
+        ("step==0", "if (step == 0)\n  return a / step;\nreturn b / step;", False),
+        ("step>0", "if (step > 0)  // a / step\n  return a;\nreturn b / step;", False),
+        ("step>0", "if (step > 0)\n  return a / step.size();\nreturn b / step;", False),
+        ("step>0", "if (other > 0)\n  return a / step;\nreturn b / step;", False),
+        ("step>0", "", False),
+    ],
+)
+def test_a_divisor_of_which_the_sign_is_asked(condition: str, text: str, expected: bool) -> None:
+    line = 1 if text.startswith("n = ") else 3
+    assert is_refuted("zerodivcond", DIVIDED.format(condition), line, text) is expected

@@ -21,6 +21,7 @@ def result(name: str, path: str = "src/a.cpp", message: str = "said") -> Result:
 
 OBJECT = "Instance of '{}' object is destroyed immediately."
 INDEX = "Array 'parts[3]' accessed at index -1, which is out of bounds."
+SCANNED = "{}() without field width limits can crash with huge input data."
 IDLE = [
     (result("cppcheck:duplicateExpression", "demo/test/a.cpp"), 2),
     (result("cppcheck:ignoredReturnValue", "tests/unit/a.cpp"), 2),
@@ -35,8 +36,11 @@ IDLE = [
     (result("pylint:deprecated-method", "src/a.py"), 1),
     (result("cppcheck:unusedScopedObject", message=OBJECT.format("Driver")), 2),
     (result("cppcheck:negativeIndex", message=INDEX), 2),
+    (result("cppcheck:invalidscanf", message=SCANNED.format("scanf")), 1),
 ]
 STANDS = [
+    (result("cppcheck:invalidscanf", message=SCANNED.format("fscanf")), 1),
+    (result("cppcheck:invalidscanf", message=SCANNED.format("sscanf")), 2),
     (result("cppcheck:duplicateExpression"), 2),
     (result("cppcheck:incorrectLogicOperator"), 2),
     (result("cppcheck:duplicateExpression", "src/contest.cpp"), 2),

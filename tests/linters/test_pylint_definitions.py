@@ -53,6 +53,34 @@ def test_a_function_that_is_there_twice(text: str, line: int, expected: bool) ->
     assert is_refuted("function-redefined", line, 0, text) is expected
 
 
+ON = "{}\ndef done(data):\n    log(1)\n\n\n{}\ndef done(data):\n    log(2)\n"
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        (ON.format("@io.on('open')", "@io.on('close')"), True),
+        (ON.format("@self.io.on('open', to='/a')", "@self.io.on('open', to='/b')"), True),
+        (ON.format("@client.event('open')", "@client.listen('open')"), True),
+        (ON.format("@io.on('open')", "@io.on('close')").replace("def", "async def"), True),
+        (ON.format("@io.on('open')", "@io.on('open')"), False),
+        (ON.format("@io.on('open')", ""), False),
+        (ON.format("", "@io.on('close')"), False),
+        (ON.format("@io.event", "@io.event"), False),
+        (ON.format("@io.on()", "@io.on(1)"), False),
+        (ON.format("@io.on(a)", "@io.on(b)"), False),
+        (ON.format("@on('open')", "@on('close')"), False),
+        (ON.format("@app.route('/a')", "@app.route('/b')"), False),  # Flask stops at the second one
+        (ON.format("@mock.patch('a')", "@mock.patch('b')"), False),
+        (ON.format("@io.on('open')\n@cached", "@io.on('close')\n@cached"), False),
+        (ON.format("@io.on('open')", "@io.on('close')").replace("def done(data)", "class done"), False),
+    ],
+)
+def test_functions_that_are_registered_under_other_names(text: str, expected: bool) -> None:
+    line = text.count("\n", 0, text.rindex("done")) + 1
+    assert is_refuted("function-redefined", line, 0, text) is expected
+
+
 @pytest.mark.parametrize(
     ("text", "expected"),
     [

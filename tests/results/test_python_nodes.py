@@ -14,7 +14,7 @@ from haros_ci.linters.dead_statements import is_dead, is_for_python2
 from haros_ci.linters.given_endpoints import given_in_python
 from haros_ci.linters.lost_setup import lost_setup
 from haros_ci.linters.never_bound import never_bound
-from haros_ci.linters.pylint_definitions import is_the_same
+from haros_ci.linters.pylint_definitions import loses_nothing
 from haros_ci.linters.taken_names import taken
 from haros_ci.results.module_names import names_of
 from haros_ci.results.python_nodes import MOST_PARTS, dotted, is_same, mentions
@@ -89,7 +89,7 @@ def _misfits(text: str) -> Iterable[object]:
 LOOKS: dict[str, Callable[[str], object]] = {
     "dead": lambda text: is_dead(text, 3, 0),
     "for Python 2": lambda text: is_for_python2(text, 3, 0),
-    "same": lambda text: is_the_same(text, 4),
+    "same": lambda text: loses_nothing(text, 4),
     "given": lambda text: tuple(given_in_python(text)),
     "setup": lambda text: lost_setup(f"from setuptools import setup\nsetup()\n{text}"),
     "bound": lambda text: tuple(never_bound(text)),
@@ -107,6 +107,6 @@ def test_deep_code_stops_nobody(text: str, look: str) -> None:
 
 
 def test_what_stands_around_deep_code_is_seen() -> None:
-    assert is_the_same(TEXTS["two functions"], 4)
+    assert loses_nothing(TEXTS["two functions"], 4)
     assert list(given_in_python(TEXTS["a callback"])) == [(2, "create_timer")]
     assert is_dead("def f():\n    return\n    x" + ".b" * DEEP + "()\n    y = 1\n", 4, 4)

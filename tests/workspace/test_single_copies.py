@@ -56,7 +56,34 @@ FIRES = [
         demo__more_dot_py=HEAD + "a = 1\n", demo__lib__more_dot_py=HEAD + "a = 1\n", demo__lib__sums_dot_py=HEAD + BODY
     ),
 ]
+CHIPS = "# (C) Copyright 2019 Texas Instruments, Inc.\n# Redistribution and use in source and binary forms\n"
+MANY = {f"demo/chip{number}.py": CHIPS + BODY for number in range(9)}
+FIRES += [
+    {**made(CHIPS), **MANY},
+    {**made(CHIPS + "# Redistributions of source code must retain the above copyright\n# notice.\n"), **MANY},
+    {**made(CHIPS, "from . import chip0\n" + BODY), **MANY},
+    {**made(CHIPS), **MANY, "demo/package.xml": MANIFEST.replace("Apache-2.0", "BSD")},
+    {**made(CHIPS.replace("Texas Instruments, Inc.", "NVIDIA CORPORATION")), **MANY},
+]
 QUIET = [
+    {**made(CHIPS), **MANY, "chips/package.xml": MANIFEST.replace("a@example.org", "a@ti.com")},
+    {**made(CHIPS), **MANY, "demo/setup.py": "setup(author='Texas Instruments')\n"},
+    {**made(CHIPS + "# Copyright 2020 Ada Lovage\n"), **MANY},
+    {**made(CHIPS + "# Copyright 2020 Somebody\n"), **MANY},
+    {**made(CHIPS + "# Modified by Somebody\n"), **MANY},
+    {**made(CHIPS, "import rospy\n" + BODY), **MANY},
+    {**made(CHIPS.replace("Redistribution and use in source and binary forms", "All rights reserved")), **MANY},
+    {
+        **made(CHIPS.replace("Texas Instruments, Inc.", "Some Instruments, Inc.")),
+        **{name: text.replace("Texas", "Some") for name, text in MANY.items()},
+    },
+    {
+        **made("# For chips of Texas Instruments.\n" + HEAD),
+        **MANY,
+        "demo/more.py": HEAD,
+        "demo/again.py": HEAD,
+        "demo/other.py": HEAD,
+    },
     made(""),
     made("# Sums.\n"),
     made("# Copyright (c) 1999 Grete Stromberg\n"),

@@ -99,6 +99,10 @@ FIRES_PYTHON = [
     ("notes/archive/pick_test.py", {"notes/archive/pick_test.py": NODE}),
     ("archive/pick.py", {"archive/pick.py": NODE, "archive/walk.py": "from pick import main\n"}),
     (
+        "a_uneeded_b/pick.py",
+        {"a_uneeded_b/pick.py": NODE, "README.md": "how to pick\n", "go.py": "pub('/pick/up')\npick = 1\n"},
+    ),
+    (
         "notes/pick.py",
         {"notes/pick.py": NODE, "notes/archive/walk.py": "from pick import main\n", "src/demo/package.xml": MANIFEST},
     ),
@@ -120,6 +124,12 @@ QUIET_PYTHON = [
     ("demo/pick_old.py", {"demo/pick_old.py": NODE, "demo/walk.py": NODE}),
     ("archive/walk.py", {"archive/walk.py": NODE, "start.sh": "#!/bin/sh\npython3 archive/walk.py\n"}),
     ("archive/walk.py", {"archive/walk.py": NODE, "README.md": "The archive has walk.py\n"}),
+    ("archive/walk.py", {"archive/walk.py": NODE, "go.py": "import os, walk\n"}),
+    ("archive/walk.py", {"archive/walk.py": NODE, "go.py": "from archive import (\n    walk,\n)\n"}),
+    ("archive/walk.py", {"archive/walk.py": NODE, "go.py": "load('walk')\n"}),
+    ("archive/walk.py", {"archive/walk.py": NODE, "go.sh": "python archive/walk.py\n"}),
+    ("archive/walk_on.py", {"archive/walk_on.py": NODE, "README.md": "how to walk_on\n"}),
+    ("walk_old.py", {"walk_old.py": NODE, "walk.py": NODE, "README.md": "how to walk_old\n"}),
     ("archives_of_data/walk.py", {"archives_of_data/walk.py": NODE}),
     ("archive/pick.py", {"archive/pick.py": NODE, "walk.py": "from archive.pick import main\n"}),
     ("archive/conftest.py", {"archive/conftest.py": NODE}),
