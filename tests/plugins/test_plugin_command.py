@@ -7,6 +7,7 @@ import json
 import shutil
 import subprocess
 import sys
+from importlib.metadata import version
 from pathlib import Path
 
 import pytest
@@ -66,7 +67,10 @@ def test_the_project_file_names_plugins_only_where_it_is_trusted(tmp_path: Path)
 
 
 def test_installed_it_is_found(tmp_path: Path) -> None:
-    pytest.importorskip("setuptools", minversion="70.1")  # older ones need the package wheel besides
+    if tuple(map(int, version("setuptools").split(".")[:2])) < (70, 1):
+        pytest.skip(
+            "older ones need the package wheel besides"
+        )  # not imported: setuptools refuses where distutils is loaded
     shutil.copytree(EXAMPLE, tmp_path / "source")
     target = tmp_path / "target"
     command = [sys.executable, "-m", "pip", "install", "--quiet", "--no-deps", "--no-build-isolation", "--no-index"]

@@ -16,9 +16,9 @@ def put(walk: Walk, value: Value) -> None:
     """Put the elements of a set or map of C++ in their order, each of a set once; where one is not known, nothing is done."""
     if isinstance(value, Mapped):
         pairs = value.content.value
-        if isinstance(pairs, dict) and len(pairs) > 1 and _are_alike(list(pairs)):
-            keys = sorted(pairs)  # type: ignore[type-var]  # they are of one kind
-            if keys != list(pairs):
+        if isinstance(pairs, dict) and len(pairs) > 1:
+            keys = _in_order(list(pairs))
+            if keys and keys != list(pairs):
                 walk.state.write(value.content, {key: pairs[key] for key in keys})
     elif isinstance(value, Sequence) and value.type is not None and value.type.name == SET:
         cells = value.content.value
@@ -33,12 +33,17 @@ def _put(walk: Walk, value: Sequence, cells: tuple[Cell, ...], is_reversed: bool
         if not isinstance(cell.value, Known) or isinstance(cell.value.value, (list, dict)):
             return
         found.setdefault(cell.value.value, cell)
-    if _are_alike(list(found)):
-        there = tuple(found[key] for key in sorted(found, reverse=is_reversed))  # type: ignore[type-var]  # they are of one kind
+    keys = _in_order(list(found))
+    if keys:
+        there = tuple(found[key] for key in (reversed(keys) if is_reversed else keys))
         if there != cells:
             walk.state.write(value.content, there)
 
 
-def _are_alike(keys: list[object]) -> bool:
-    """Whether *keys* can be compared with each other: texts, or numbers."""
-    return all(isinstance(key, str) for key in keys) or all(isinstance(key, (int, float)) for key in keys)
+def _in_order(keys: list[object]) -> list[object]:
+    """The *keys*, from the lowest on; none where they cannot be compared with each other: they are neither texts alone nor numbers alone."""
+    texts = [key for key in keys if isinstance(key, str)]
+    numbers = [key for key in keys if isinstance(key, (int, float))]
+    if len(texts) == len(keys):
+        return [*sorted(texts)]
+    return [*sorted(numbers)] if len(numbers) == len(keys) else []
