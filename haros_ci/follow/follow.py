@@ -102,9 +102,7 @@ def _start(walk: Walk, frame: Frame, entry: Entry) -> None:
         made = construct.instance(walk, frame, owner, (), args, place)
         if args:
             outside_nodes.spun(walk, (call_arguments.PassedArgument(made),), place)
-        first: list[Root] = []
-        if walk.context.process is None:  # what a nodelet's manager calls, before anything is called back
-            first, walk.roots[:] = list(walk.roots), []
+        first = _entries(walk) if walk.context.process is None else []
         for root in first:
             activation.invoke(walk, frame, root.function, _arguments(walk, root, frame))
     elif entry.function is not None and entry.source.separator == ".":
@@ -124,6 +122,16 @@ def _start(walk: Walk, frame: Frame, entry: Entry) -> None:
         activation.invoke(walk, frame, Callable(entry.source, entry.function), args)
     else:
         lookup.module_frame(walk, entry.source)
+
+
+def _entries(walk: Walk) -> list[Root]:
+    """What a nodelet's manager calls, before anything is called back; it is no callback any more."""
+    first = [root for root in walk.roots if root.is_entry and not root.is_update]
+    left = [number for number, root in enumerate(walk.roots) if not root.is_entry or root.is_update]
+    numbers = {old: new for new, old in enumerate(left)}
+    walk.roots[:] = [walk.roots[number] for number in left]
+    walk.known_roots = {key: numbers[old] for key, old in walk.known_roots.items() if old in numbers}
+    return first
 
 
 def _component_arguments(walk: Walk, entry: Entry) -> tuple[call_arguments.PassedArgument, ...]:

@@ -74,6 +74,8 @@ class Root:
     is_update: bool = False
     #: Whether a managed node is brought up by it, before anything else is called back.
     is_setup: bool = False
+    #: Whether a framework calls it when the object is there, as a nodelet's manager calls ``onInit``.
+    is_entry: bool = False
     #: Whether a behaviour tree calls it: what it changes is not seen elsewhere.
     is_tick: bool = False
     #: Why it may not be registered although the conditions hold, where no statement says so.

@@ -118,3 +118,24 @@ def test_of_an_unknown_manager_the_name_is_unknown_and_says_so() -> None:
     found = nodelet("", "dynamic_reconfigure::Server<p::XConfig> server;", launch)
     assert all("?" in end.name for end in found.endpoints)
     assert all(any(unknown.field == "name" for unknown in end.unknowns) for end in found.endpoints)
+
+
+#: Callbacks that the constructor registers, and a member that onInit() sets.
+CALLED_LATER = [
+    "int rate = 0; ros::Timer t; N() { ros::NodeHandle h; t = h.createTimer(ros::Duration(1), &N::tick, this); } void tick(const ros::TimerEvent&) { go(); }",
+    'ros::NodeHandle nh; ros::Subscriber s; int rate = 0; N() : s(nh.subscribe("in", 1, &N::seen, this)) {} void seen(const std_msgs::String& m) { go(); }',
+    "int rate = 0; ~N() { go(); }",
+]
+
+
+@pytest.mark.parametrize("members", CALLED_LATER)
+def test_nothing_is_called_back_before_on_init(members: str) -> None:
+    go = ' void go() { ros::NodeHandle h; h.advertise<std_msgs::String>(rate ? "set" : "unset", 1); }'
+    found = named(nodelet("rate = 10;", members + go))
+    assert "/ns/set" in found and "/ns/unset" not in found
+
+
+def test_on_init_sees_what_the_constructor_has_set() -> None:
+    go = " int rate = 0; N() { rate = 10; }"
+    body = 'ros::NodeHandle h; h.advertise<std_msgs::String>(rate ? "set" : "unset", 1);'
+    assert named(nodelet(body, go)) == ["/ns/set"]
