@@ -6,20 +6,14 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator
 
-from haros_ci.api import Check, Decidability, Finding, Level, Location, System, SystemNode, dataclass, regex
+from haros_ci.api import Check, Decidability, Finding, Level, Location, System, SystemNode, regex
+from haros_ci.api.launch import is_end_of_longer
+from haros_ci.api.robots import FrameUse, frames_in, listeners_of_tf
 
 #: Parameters that hold the name of a frame.
 _PARAMETER = regex(r"(?:^|[_./:])(?:frame|frame_id|frameid|[a-z0-9]+_frame|[a-z0-9_]+_frame_id)$")
 _ENDS = ("frame", "frame_id", "frameid")
 _FRAME = regex(r"/[A-Za-z]\w*(?:/\w+)*")
-_QUOTED = r"[\"'](/[A-Za-z]\w*(?:/\w+)*)[\"']"
-#: What code does with a frame: it puts it into a header, or asks tf2 for it.
-_IN_CODE = regex(
-    r"(?P<set>(?:\b(?P<of>\w+)\s*(?:\.|->)\s*)?(?:\bheader\s*\.\s*)?"
-    r"\b(?:child_)?frame_id\s*=\s*(?:(?=[\"'])|(?:std::)?string\(\s*))" + _QUOTED + "|"
-    r"(?P<ask>\b(?:lookup_?transform|can_?transform|lookup_transform_full)\w*\s*\((?:[^;()]{0,80}?,)?\s*)" + _QUOTED,
-    re.IGNORECASE,
-)
 #: What takes a leading slash off: of a variable, which comes first, or of whatever is there.
 _STRIPPING = (
     r"(?:\[\s*1\s*:\s*\]|\[\s*0\s*\]\s*[!=]=\s*[\"']/|\.\s*front\s*\(\s*\)\s*[!=]=\s*'/|\.\s*at\s*\(\s*0\s*\)\s*[!=]=\s*'/"
@@ -33,20 +27,13 @@ _TEXTS = regex(r"\"[^\"\n]*\"|'[^'\n]*'")
 _CALLED = regex(r"\b([A-Za-z_]\w*)\s*\(")
 #: A function that is defined here: its name, up to its body.
 _DEFINED = regex(r"\b(?:def\s+)?([A-Za-z_]\w*)\s*\([^;{}()]{0,400}\)\s*(?:const\s*)?(?:->\s*\w+\s*)?[{:]")
-#: The declaration of a variable: its type, or what it is made by.
-_DECLARED = (
-    r"(?:\b(?P<type>[A-Z]\w*)(?:::(?:Shared|Unique|)Ptr|Ptr|>)?[\s&*]+{word}\s*[;=,)({{:\[]"
-    r"|\b{word}\s*(?::[^=\n]{{1,80}})?=[^=;\n]{{0,80}}?\b(?P<made>[A-Z]\w*)\s*(?:>\s*)?[({{])"
-)
-#: Messages whose frames MoveIt looks up in its planning scene, which takes the slash off (PlanningScene::getFrameTransform, knowsFrameTransform).
-_OF_MOVEIT = frozenset(("CollisionObject", "AttachedCollisionObject"))
-#: An element of an array of markers, before its header.
-_ELEMENT = regex(r"\bmarkers\s*(?:\[[^\[\]\n]{0,40}\]|\.(?:back|front)\(\)|\.at\([^()\n]{0,40}\))\s*(?:\.|->)\s*$")
 #: Words of a statement that reads a parameter, which are not its own.
 _NOT_ITS_OWN = frozenset(
     "this self node std string auto const get_parameter declare_parameter get_parameter_or as_string value string_value "
     "get_parameter_value get_value get get_param param getParam getParameter rclcpp rclpy rospy ros if return str".split()
 )
+#: Lines of a launch file in which what a node is given stands.
+_LINES = 20
 #: Characters of a function's body that are looked at.
 _BODY = 1500
 _CODE = ("cpp", "python")
@@ -54,17 +41,8 @@ _CODE = ("cpp", "python")
 _BROADCASTERS = "tf2_ros"
 
 
-@dataclass(frozen=True, slots=True)
-class _FrameUse:
-    """A *frame* with a slash in code; *kind*: a ``look-up``, a ``message``, a ``marker``, or a ``transform`` that tf2 is given to send."""
-
-    place: Location
-    frame: str
-    kind: str
-
-
 #: Files by path and digest with the frames in them.
-_seen: dict[tuple[str, str], tuple[_FrameUse, ...]] = {}
+_seen: dict[tuple[str, str], tuple[FrameUse, ...]] = {}
 
 
 def check(system: System) -> Iterator[Finding]:
@@ -111,9 +89,21 @@ def _parameters(system: System) -> Iterator[Finding]:
         owner = readers.get(name) or _owner(name, system)
         place = parameter.origin or parameter.location
         is_told = owner is not None and place is not None and _is_frame(parameter.value) and not parameter.unknowns
-        if is_told and not _is_stripped(system, places.get(name, ())):
+        if (
+            is_told
+            and not _is_stripped(system, places.get(name, ()))
+            and not _is_put_together(system, parameter.location, str(parameter.value))
+        ):
             assert owner is not None and place is not None
             yield _finding(place, parameter.value, f"the parameter {name}", owner)
+
+
+def _is_put_together(system: System, place: Location | None, frame: str) -> bool:
+    """Whether the launch file has an empty argument before the slash: wherever that is not empty, there is no leading slash."""
+    if system.workspace is None or place is None or not place.line:
+        return False
+    lines = system.workspace.text(place.path).split("\n")[place.line - 1 :]
+    return is_end_of_longer("\n".join(lines[:_LINES]), frame)
 
 
 def _is_stripped(system: System, places: Iterable[Location]) -> bool:
@@ -200,7 +190,7 @@ def _code(system: System) -> Iterator[Finding]:
             continue
         key = (file.path, file.digest)
         if key not in _seen:
-            _seen[key] = tuple(_in_text(file.path, system.workspace.text(file.path)))
+            _seen[key] = tuple(frames_in(file.path, system.workspace.text(file.path)))
         if not _seen[key]:
             continue
         package = file.package or ""
@@ -211,6 +201,8 @@ def _code(system: System) -> Iterator[Finding]:
             continue  # reported for a system that runs the file
         node = runner or owners[package]
         for use in _seen[key]:
+            if use.kind == "look-up" and node.ros == 1 and use.asked in listeners_of_tf(package, system):
+                continue  # tf::Transformer takes the slash off
             if use.kind == "marker" and node.ros == 1:
                 yield _marker(use, runner or package)
             elif use.kind in ("look-up", "message"):
@@ -239,75 +231,7 @@ def _needs_tf2(package: str, ros: int, system: System) -> bool:
     return _uses_tf2(package, ros, system) and any(name.startswith("tf2") for name in needs)
 
 
-def _in_text(path: str, text: str) -> Iterator[_FrameUse]:
-    if ("frame_id" not in text and "ransform" not in text) or ('"/' not in text and "'/" not in text):
-        return
-    for found in _IN_CODE.finditer(text):
-        start = text.rfind("\n", 0, found.start()) + 1
-        before = text[start : found.start()]
-        if "//" in before or "#" in before or before.lstrip().startswith("*"):
-            continue
-        end = re.search(r"(?:\bheader\s*\.\s*)?\b(?:child_)?frame_id", found[0])
-        at = found.start() + (end.start() if end is not None else 0)
-        line = text.rfind("\n", 0, at) + 1
-        place = Location(path, text.count("\n", 0, at) + 1, at - line + 1)
-        frame = found[3] or found[5]
-        if found["ask"] is not None:
-            kind = "look-up"
-        elif not _OF_MOVEIT.isdisjoint(_kinds(found["of"], text, found.start())[-1:]):
-            continue
-        elif _is_sent(found["of"], text):
-            kind = "transform"
-        else:
-            kind = "marker" if _is_marker(found, text) else "message"
-        yield _FrameUse(place, frame, kind)
-
-
-def _is_sent(name: str | None, text: str) -> bool:
-    """Whether the variable *name* is a transform for a broadcaster: it is declared as one, or given to ``sendTransform``.
-
-    A broadcaster hands it to tf2, which takes the slash off (geometry2's BufferCore::setTransform, ``stripSlash``).
-    """
-    if not name or name in ("self", "this"):
-        return False
-    word = re.escape(name)
-    return any(
-        re.search(pattern, text) is not None
-        for pattern in (
-            rf"\bTransformStamped(?:Ptr)?(?:\s*[&*]\s+|\s+)[&*]?{word}\b",
-            rf"\b{word}\s*(?::[^=\n]*)?=\s*(?:\w+\s*(?:\.|::)\s*)*TransformStamped\b",
-            rf"\bsendTransform\s*\([^;\n]*\b{word}\b",
-        )
-    )
-
-
-def _is_marker(found: re.Match[str], text: str) -> bool:
-    """Whether the frame is of a marker, which only rviz takes, and nothing here looks that frame up.
-
-    rviz takes the slash off (FrameManager::transform of rviz2; rviz of ROS 1 up to Melodic looks up by tf).
-    """
-    name = found["of"]
-    if name in (None, "header"):
-        element = _ELEMENT.search(text, max(0, found.start() - 80), found.start())
-        return element is not None and element.end() == found.start()
-    if name in ("self", "this"):
-        return False
-    word, kinds = re.escape(name), _kinds(name, text, found.start())
-    if not kinds or re.fullmatch(r"Marker(?:::)?", kinds[-1]) is None:
-        return False
-    return re.search(rf"ransform\w{{0,80}}\s*\([^;\n]{{0,200}}\b{word}\s*(?:\.|->)\s*header\b", text) is None
-
-
-def _kinds(name: str | None, text: str, end: int) -> list[str]:
-    """The types that the variable *name* is declared with before *end*, or anywhere, without their namespaces."""
-    if not name or name in ("self", "this", "header"):
-        return []
-    pattern = _DECLARED.format(word=re.escape(name))
-    before = [match["type"] or match["made"] for match in re.finditer(pattern, text[:end])]
-    return before or [match["type"] or match["made"] for match in re.finditer(pattern, text)]
-
-
-def _marker(use: _FrameUse, node: SystemNode | str) -> Finding:
+def _marker(use: FrameUse, node: SystemNode | str) -> Finding:
     return Finding(
         at=use.place,
         message=f"frame {use.frame} of a marker has a leading slash: rviz of Noetic looks it up by tf2, which has no such frame; write "

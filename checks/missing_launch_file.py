@@ -7,7 +7,7 @@ import re
 from collections.abc import Collection, Iterator
 
 from haros_ci.api import Check, Finding, Level, System, regex
-from haros_ci.api.launch import FileUse, ParameterFileUse, included_by, meant
+from haros_ci.api.launch import FileUse, ParameterFileUse, included_by, is_end_of_longer, meant
 from haros_ci.api.packages import entries_of, is_ignored, writer_of
 
 #: Files that nodes read; of others they may be the ones who write them.
@@ -19,6 +19,12 @@ _TEMPLATES = (".em", ".in", ".erb", ".j2", ".jinja", ".jinja2", ".mako", ".templ
 _MARK = "\0"
 _PART = regex(r"[\s\"'()$/]+")
 _ARGUMENT = regex(r"\$\((?:arg|var)[ \t]+[\w-]+[ \t]*\)")
+#: What begins the rest of a name, behind an argument.
+_SEPARATORS = ("_", "-", ".")
+#: What a launch file in Python opens to write it, and a variable that is given something.
+_WRITTEN = regex(r"\bopen\([ \t]*(\w+)[ \t]*,[ \t]*(?:mode[ \t]*=[ \t]*)?[\"'][wx]")
+_GIVEN = regex(r"^[ \t]*(\w+)[ \t]*=([^=\n][^\n]*)", re.MULTILINE)
+_TEXT = regex(r"[\"']([^\"'\n]+)[\"']")
 #: A value of an environment variable stands at most so often in the name of a file.
 _VALUES = 3
 #: So many places of one finding are shown.
@@ -40,7 +46,7 @@ def check(system: System) -> Iterator[Finding]:
     for use in system.facts(FileUse):
         if use.is_found is not False or use.text in reported:
             continue
-        if (use.kind == "parameters" and use.ros == 2) or _is_without_name(system, use):
+        if (use.kind == "parameters" and use.ros == 2) or _is_without_name(system, use) or _is_written(system, use):
             continue
         if use.kind in ("value", "default") and (
             not _READ.search(use.inner) or _WRITES.search(f"{use.name} {use.inner}")
@@ -66,7 +72,9 @@ def _is_without_name(system: System, use: FileUse) -> bool:
     text = system.workspace.text(use.location.path) if system.workspace is not None else ""
     base = use.inner.rpartition("/")[2]
     names = _PART.split(_ARGUMENT.sub(_MARK, text))
-    return any(_MARK in name and name.replace(_MARK, "") == base for name in names)
+    return any(_MARK in name and name.replace(_MARK, "") == base for name in names) or (
+        base[:1] in _SEPARATORS and is_end_of_longer(text, base)
+    )
 
 
 def _made(system: System, use: FileUse) -> str:
@@ -83,6 +91,14 @@ def _made(system: System, use: FileUse) -> str:
         return f"; {template} beside it is a template of it, which the launch file names, too, so that it may be made when this is started"
     writer = writer_of(system, use.path)
     return f"; {writer} writes a file of this name, so that it may be made at run time" if writer else ""
+
+
+def _is_written(system: System, use: FileUse) -> bool:
+    """Whether the launch file, in Python, opens the file to write it."""
+    text = system.workspace.text(use.location.path) if system.workspace is not None else ""
+    names = {found[1] for found in _WRITTEN.finditer(text)}
+    ends = (end for name, value in _GIVEN.findall(text) if name in names for end in _TEXT.findall(value))
+    return any(use.inner.endswith(end) for end in ends)
 
 
 def _template(system: System, use: FileUse) -> str:

@@ -3,8 +3,9 @@
 
 from __future__ import annotations
 
+from haros_ci.checking.frame_texts import FrameUse, frames_in
 from haros_ci.checking.robots import descriptions, is_by_itself, lead, other_reader, place_of, together
-from haros_ci.checking.transforms import Broadcast, at_odds, broadcasts, called, origin
+from haros_ci.checking.transforms import Broadcast, at_odds, broadcasts, called, listeners_of_tf, origin
 from haros_ci.checking.unloaded import is_left_over
 from haros_ci.model.robot import (
     Description,
@@ -21,6 +22,7 @@ __all__ = [
     "Broadcast",
     "Description",
     "Fault",
+    "FrameUse",
     "Joint",
     "Mesh",
     "Robot",
@@ -29,9 +31,11 @@ __all__ = [
     "broadcasts",
     "called",
     "descriptions",
+    "frames_in",
     "is_by_itself",
     "is_left_over",
     "lead",
+    "listeners_of_tf",
     "origin",
     "other_reader",
     "place_of",

@@ -15,6 +15,9 @@ from haros_ci.regex import regex
 
 #: A comment of a launch file, in XML, Python or YAML.
 _COMMENT = regex(r"<!--.*?(?:-->|\Z)|(?:^|(?<=\s))#[^\n]*", re.DOTALL)
+#: What stands between the beginning of a text that is put together and its end: in a sum, in a list, behind an argument.
+_BEGUN = regex(r"[)\]\w][ \t]*\+\s*f?[\"']\Z|\)[ \t]*,\s*f?[\"']\Z|[)}]\Z")
+_BEFORE = 60
 
 
 def owner(system: System, location: Location) -> Package | None:
@@ -40,6 +43,14 @@ def said_by(use: PackageUse, system: System) -> PackageUse:
         if place.path != use.location.path and _is_named(use.package, text(place.path), in_code=True):
             return replace(use, location=place, included=use.included[:depth])
     return use
+
+
+def is_end_of_longer(text: str, piece: str) -> bool:
+    """Whether *text*, of a launch file, has *piece* behind what gives its beginning, an argument or a sum, and nowhere alone."""
+    found = [
+        text[max(0, at.start() - _BEFORE) : at.start()] for at in re.finditer(rf"{re.escape(piece)}(?![\w/])", text)
+    ]
+    return bool(found) and all(_BEGUN.search(before) for before in found)
 
 
 @lru_cache(maxsize=4096)

@@ -15,10 +15,15 @@ from haros_ci.model.location import Location
 from haros_ci.model.presence import together
 from haros_ci.model.robot import Robot
 from haros_ci.records import dataclass
+from haros_ci.regex import regex
 
 #: Joints that robot_state_publisher leaves out, and those that it broadcasts as fixed (kdl_parser knows no planar ones).
 _LEFT_OUT = "floating"
 _FIXED = ("fixed", "planar")
+#: The declaration of a listener of tf.
+_LISTENER = regex(
+    r"\btf::(?:TransformListener|Transformer)\b[ \t]*[>*&]*[ \t]*(\w+)|\b(\w+)[ \t]*=[ \t]*tf\.(?:TransformListener|TransformerROS|Transformer)\b"
+)
 #: Packages whose node publishes a state for every joint that moves.
 _STATES = ("joint_state_publisher", "joint_state_publisher_gui")
 
@@ -268,3 +273,13 @@ def _parameters(system: System, node: SystemNode) -> Mapping[str, str]:
         if isinstance(value, str) and not end.raw.unknowns and (set_parameter is None or not set_parameter.unknowns):
             found[key] = value
     return found
+
+
+def listeners_of_tf(package: str, system: System) -> frozenset[str]:
+    """The variables of a *package* of ROS 1 that are listeners of tf, and not of tf2."""
+    workspace = system.workspace
+    if workspace is None:
+        return frozenset()
+    own = (file.path for file in workspace.files if file.package == package and file.language in ("cpp", "python"))
+    texts = (text for text in map(workspace.text, own) if "Transform" in text)
+    return frozenset(found[1] or found[2] for text in texts for found in _LISTENER.finditer(text))

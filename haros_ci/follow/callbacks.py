@@ -67,8 +67,8 @@ def register(
         _carried(walk, value),
     )  # which keeps identities from being used again
     dead = walk.ruled_out()
-    kinds = {"is_update": is_update, "is_setup": is_setup, "is_entry": is_entry}
-    root = Root(value, tuple(walk.conditions), doubt=doubt, dead=dead, **kinds)
+    conditions = tuple(walk.conditions)
+    root = Root(value, conditions, is_update=is_update, is_setup=is_setup, is_entry=is_entry, doubt=doubt, dead=dead)
     if key in walk.known_roots:
         _again(walk, walk.known_roots[key], root)
     elif not _is_endless(walk, value):
