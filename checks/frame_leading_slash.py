@@ -199,23 +199,29 @@ def _code(system: System) -> Iterator[Finding]:
             _runs(file.path, package, other_system) is not None for other_system in system.whole.systems
         ):
             continue  # reported for a system that runs the file
-        node = runner or owners[package]
-        for use in _seen[key]:
-            if use.kind == "look-up" and node.ros == 1 and use.asked in listeners_of_tf(package, system):
-                continue  # tf::Transformer takes the slash off
-            if use.kind == "marker" and node.ros == 1:
-                yield _marker(use, runner or package)
-            elif use.kind in ("look-up", "message"):
-                yield _finding(use.place, use.frame, f"a {use.kind}", runner or package)
-        sent = [use for use in _seen[key] if use.kind == "transform"]
-        if sent:
-            yield Finding(
-                at=sent[0].place,
-                message=_stripped(*dict.fromkeys(use.frame for use in sent)),
-                about=(node.package, *sorted({use.frame for use in sent})),
-                related=tuple((use.place, f"{use.frame}, too") for use in sent[1:]),
-                level=Level.NOTE,
-            )
+        yield from _of_file(_seen[key], runner or owners[package], runner or package, system)
+
+
+def _of_file(uses: Iterable[FrameUse], node: SystemNode, about: SystemNode | str, system: System) -> Iterator[Finding]:
+    """What there is to say of the *uses* in one file of the package of *node*."""
+    sent: list[FrameUse] = []
+    for use in uses:
+        if use.kind == "look-up" and node.ros == 1 and use.asked in listeners_of_tf(node.package, system):
+            continue  # tf::Transformer takes the slash off
+        if use.kind == "marker" and node.ros == 1:
+            yield _marker(use, about)
+        elif use.kind in ("look-up", "message"):
+            yield _finding(use.place, use.frame, f"a {use.kind}", about)
+        elif use.kind == "transform":
+            sent.append(use)
+    if sent:
+        yield Finding(
+            at=sent[0].place,
+            message=_stripped(*dict.fromkeys(use.frame for use in sent)),
+            about=(node.package, *sorted({use.frame for use in sent})),
+            related=tuple((use.place, f"{use.frame}, too") for use in sent[1:]),
+            level=Level.NOTE,
+        )
 
 
 def _runs(path: str, package: str, system: System) -> SystemNode | None:

@@ -71,10 +71,8 @@ def truth(test: ast.expr, given: Mapping[str, object], depth: int = 0) -> bool |
         return True if test.id == "__debug__" else bool(given[test.id]) if test.id in given else None
     if isinstance(test, ast.Attribute):
         return False if test.attr == "TYPE_CHECKING" else None
-    if isinstance(test, ast.List | ast.Tuple | ast.Set):
-        return None if any(isinstance(one, ast.Starred) for one in test.elts) else bool(test.elts)
-    if isinstance(test, ast.Dict):
-        return None if None in test.keys else bool(test.keys)
+    if isinstance(test, ast.List | ast.Tuple | ast.Set | ast.Dict):
+        return _is_filled(test)
     if isinstance(test, ast.UnaryOp) and isinstance(test.op, ast.Not):
         inner = truth(test.operand, given, depth + 1)
         return None if inner is None else not inner
@@ -96,6 +94,13 @@ def truth(test: ast.expr, given: Mapping[str, object], depth: int = 0) -> bool |
             return asked
     value = value_of(test, given)
     return None if value is UNKNOWN else bool(value)
+
+
+def _is_filled(group: ast.List | ast.Tuple | ast.Set | ast.Dict) -> bool | None:
+    """Whether something is written in *group*; None where some of it comes from elsewhere (``[*found]``)."""
+    if isinstance(group, ast.Dict):
+        return None if None in group.keys else bool(group.keys)
+    return None if any(isinstance(one, ast.Starred) for one in group.elts) else bool(group.elts)
 
 
 def is_empty(values: ast.expr, given: Mapping[str, object]) -> bool:

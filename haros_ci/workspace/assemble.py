@@ -145,17 +145,18 @@ def assemble(
             continue
         package, fault = packages[directory]
         packages[directory] = settled(package, manifest.path, manifest.data, others), fault
+    every = [package for package, _ in packages.values()]
     owners = {directory: package.name for directory, (package, _) in packages.items()}
     owned = _owned(sorted(files, key=lambda file: file.path), owners, ThirdParty(names, owners, requested))
-    found += doubles((package for package, _ in packages.values()), owned)
+    found += doubles(every, owned)
     reader = TextReader(root, listed, max_file_size, elsewhere, buffer)
     found += _of_rosbuild(owned, names, reader)
     found += _of_sketches(names, reader)
     found += _of_no_package(owned, reader)
-    found += _launch_files_of_no_package(owned, [package for package, _ in packages.values()], reader)
+    found += _launch_files_of_no_package(owned, every, reader)
     return Workspace(
         root=root,
-        packages=tuple(sorted((package for package, _ in packages.values()), key=lambda p: (p.path, p.name))),
+        packages=tuple(sorted(every, key=lambda p: (p.path, p.name))),
         files=owned,
         reader=reader,
         targets=None

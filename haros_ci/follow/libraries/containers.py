@@ -191,8 +191,7 @@ def mapped(
     walk: Walk, frame: Frame, receiver: Mapped, name: str, args: tuple[PassedArgument, ...], kind: Type | None = None
 ) -> Value | None:
     """A method of a map, of the type *kind* where that is known; None if there is no model of it."""
-    if name in ("begin", "cbegin"):
-        ordering.put(walk, receiver)
+    ordering.put_before(walk, receiver, name)
     pairs = receiver.content.value
     args = elements.mapped(walk, frame, kind, name, args)
     if name in ("size", "empty", "count") and isinstance(pairs, dict):

@@ -27,6 +27,12 @@ def put(walk: Walk, value: Value) -> None:
             _put(walk, value, cells, comparison is not None)
 
 
+def put_before(walk: Walk, value: Value, name: str) -> None:
+    """``put``, if the method *name* is one that gives the first element."""
+    if name in ("begin", "cbegin"):
+        put(walk, value)
+
+
 def _put(walk: Walk, value: Sequence, cells: tuple[Cell, ...], is_reversed: bool) -> None:
     found: dict[object, Cell] = {}
     for cell in cells:
