@@ -109,7 +109,8 @@ class Unused(Judged):
         while waiting and not asked.isdisjoint(left):
             before = left
             left = self._without_named(left, waiting.pop(), is_used=True)
-            waiting += (file for file in self._aside if file.path in before and file.path not in left)
+            named = sorted(before.keys() - left.keys()) if left is not before else ()
+            waiting += (self._files[path] for path in named if self._is_set_aside(self._files[path]))
         return [path for path in left if path in asked]
 
     def _without_named(self, left: dict[str, str], other: SourceFile, *, is_used: bool) -> dict[str, str]:
