@@ -98,18 +98,22 @@ def is_to_be_run(path: str, project: Project) -> bool:
 def is_for_nobody(path: str, package: ProjectPackage) -> bool:
     """Whether the Python file at *path* only defines functions and classes, is no program, and no other file of the workspace imports it by its name."""
     project = package.project
-    program = project.programs.get(path)
-    if program is None or program.problems or not path.endswith(".py") or path.endswith(_READ):
-        return False
-    if project.text(path).startswith("#!") or is_to_be_run(path, project):
-        return False
-    if not program.classes and all(function.kind == "module" for function in program.functions):
+    if not path.endswith(".py") or path.endswith(_READ) or not _only_defines(path, project):
         return False
     stem = path.rpartition("/")[2].removesuffix(".py")
     files = project.workspace.files
     others = (file.path for file in files if file.path != path and file.language in ("python", "launch"))
     texts = (text for other in others if stem in (text := project.text(other)))
     return not any(stem in imported_words(text) or _DYNAMIC.search(text) for text in texts)
+
+
+def _only_defines(path: str, project: Project) -> bool:
+    """Whether the file, which has no shebang, defines functions or classes, and nothing else happens when it is run."""
+    program = project.programs.get(path)
+    if program is None or program.problems or project.text(path).startswith("#!"):
+        return False
+    defines = bool(program.classes) or any(function.kind != "module" for function in program.functions)
+    return defines and not is_to_be_run(path, project)
 
 
 def _dotted(callee: syntax.Expression) -> str:

@@ -105,13 +105,17 @@ class Unused(Judged):
             if asked.isdisjoint(left):
                 return []
             left = self._without_named(left, other, is_used=not self._is_set_aside(other) or self._is_built(other))
+        return [path for path in self._without_used(left, asked) if path in asked]
+
+    def _without_used(self, left: dict[str, str], asked: frozenset[str]) -> dict[str, str]:
+        """*left* without what files that are set aside name, themselves, or by others like them, named by a file that is not; as long as one *asked* for is left."""
         waiting = [file for file in self._aside if file.path not in left]
         while waiting and not asked.isdisjoint(left):
             before = left
             left = self._without_named(left, waiting.pop(), is_used=True)
             named = sorted(before.keys() - left.keys()) if left is not before else ()
             waiting += (self._files[path] for path in named if self._is_set_aside(self._files[path]))
-        return [path for path in left if path in asked]
+        return left
 
     def _without_named(self, left: dict[str, str], other: SourceFile, *, is_used: bool) -> dict[str, str]:
         """*left*, paths with their stems, without those that *other* names. What is set aside together names each other, unless *other* is used."""
