@@ -6,7 +6,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from haros_ci.api import Check, Finding, Level, Location, System, SystemNode, line_of, listed, together
+from haros_ci.api import Check, Finding, Level, Location, System, SystemNode, line_of, listed, regex, together
 
 #: Programs of ROS 2 that do one thing and end: nobody sets their parameters or calls their services.
 _ENDING = {
@@ -18,6 +18,10 @@ _ENDING = {
 }
 #: Ends of a program that calls a service or an action, and has nothing that others would reach under its name.
 _ASKING = frozenset(("clients", "action_clients"))
+#: Ends of a node that only has parameters.
+_OF_PARAMETERS = frozenset(("parameters", "getters", "setters"))
+_PARAMETER_FILE = (".yaml", ".yml")
+_KEY = regex(r"([ \t]*)([\"']?)([^\s\"'#:][^\"'#:]{0,200})\2[ \t]*:")
 
 
 def check(system: System) -> Iterator[Finding]:
@@ -31,7 +35,7 @@ def check(system: System) -> Iterator[Finding]:
         if pair is not None and pair[0].location == pair[1].location:
             twice.setdefault(pair[0].location.path, []).append(pair)
         elif pair is not None:
-            yield _finding(*pair, is_one=len(system.launch) == 1)
+            yield _finding(*pair, is_one=len(system.launch) == 1, section=_shared_section(system, nodes))
     for (first, second), *others in twice.values():
         also = tuple(other.name for other, _ in others)
         yield _finding(first, second, is_one=len(system.launch) == 1, also=also)
@@ -60,10 +64,63 @@ def _pair(nodes: list[SystemNode]) -> tuple[SystemNode, SystemNode] | None:
     return None
 
 
-def _finding(first: SystemNode, second: SystemNode, *, is_one: bool, also: tuple[str, ...] = ()) -> Finding:
+def _shared_section(system: System, nodes: list[SystemNode]) -> tuple[str, str]:
+    """The section of a parameter file, and the file, that each of *nodes* (ROS 2) is given by their name; two empty texts if there is none."""
+    if system.workspace is None or any(node.ros != 2 for node in nodes):
+        return "", ""
+    tags: dict[Location, set[Location]] = {}
+    sections: dict[str, list[str]] = {}
+    for given in nodes[0].given:  # nodes of one name have all that is given to any of them
+        at = given.at
+        if given.raw.origin is None or not at.path.endswith(_PARAMETER_FILE):
+            continue
+        tags.setdefault(at, set()).add(given.tag)
+        if len(tags[at]) == len(nodes):
+            if at.path not in sections:
+                sections[at.path] = _sections(system.workspace.text(at.path))
+            line = (at.line or 0) - 1
+            section = sections[at.path][line] if 0 <= line < len(sections[at.path]) else ""
+            if section and "*" not in section:
+                return section, at.path
+    return "", ""
+
+
+def _sections(text: str) -> list[str]:
+    """For each line of a parameter file the name of the node whose parameters stand there: what ``ros__parameters`` is below; "" where it is not seen."""
+    found = []
+    above: list[tuple[int, str]] = []
+    section, width = "", -1
+    for line in text.splitlines():
+        key = _KEY.match(line)
+        if key is not None:
+            indent = len(key[1])
+            while above and above[-1][0] >= indent:
+                above.pop()
+            if indent <= width:
+                section, width = "", -1
+            if key[3].rstrip() == "ros__parameters":
+                section, width = (above[-1][1] if above else ""), indent
+            above.append((indent, key[3].rstrip()))
+        found.append(section)
+    return found
+
+
+def _has_parameters_alone(node: SystemNode) -> bool:
+    return node.complete and all(end.raw.implicit or end.raw.kind in _OF_PARAMETERS for end in node.ends)
+
+
+def _finding(
+    first: SystemNode,
+    second: SystemNode,
+    *,
+    is_one: bool,
+    also: tuple[str, ...] = (),
+    section: tuple[str, str] = ("", ""),
+) -> Finding:
     """The finding about both; *is_one* if one roslaunch starts them: it looks at names before it starts anything (add_node).
 
-    *also* are further names that the same launch file has given twice, as it is included twice.
+    *also* are further names that the same launch file has given twice, as it is included twice. *section* is the one of a parameter file, and the
+    file, from which both have their parameters by this name. It is a note where they have nothing else.
     """
     if second.ros == 1 and not is_one:
         effect = "the node that starts later shuts the other one down"
@@ -78,12 +135,16 @@ def _finding(first: SystemNode, second: SystemNode, *, is_one: bool, also: tuple
         other += f", so that there are two {listed(also)}, too" if also else ""
     else:
         other = f"the other node is at {line_of(first.location)}"
+    todo = "give one of them another name or namespace"
+    if section[0]:
+        todo = f"both have parameters of the section {section[0]} of {section[1]}: give one of them another name, and a section of that name there (or call the section /**)"
+    is_meant = bool(section[0]) and _has_parameters_alone(first) and _has_parameters_alone(second)
     return Finding(
         at=second.location,
-        message=f"two nodes are named {second.name}{kinds}: {effect}; give one of them another name or namespace; {other}",
+        message=f"two nodes are named {second.name}{kinds}: {effect}; {todo}; {other}",
         about=(first, second),
         related=((first.location, f"the other {first.name}"),),
-        level=Level.ERROR if second.ros == 1 else None,
+        level=Level.ERROR if second.ros == 1 else Level.NOTE if is_meant else None,
     )
 
 

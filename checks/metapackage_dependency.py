@@ -74,7 +74,7 @@ def _found_by(package: ProjectPackage, name: str) -> Location | None:
 CHECK = Check(
     id="metapackage-dependency",
     summary="Dependency on a metapackage.",
-    level=Level.WARNING,
+    level=Level.NOTE,
     catalogue="M04",
     tags=("packages",),
     project=check,

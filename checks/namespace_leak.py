@@ -22,6 +22,8 @@ SHARED = frozenset(
         "bond",
     }
 )
+#: The namespace of a simulator, of which there is one for all: its topics take what every robot sends, and name the robot in the message.
+SIMULATOR = "/gazebo/"
 #: Kinds of which two with one name get into each other's way.
 KINDS = ("publishers", "servers", "action_servers")
 
@@ -30,7 +32,9 @@ def check(system: System) -> Iterator[Finding]:
     if not system.is_launched:
         return
     for channel in (*system.topics, *system.services, *system.actions):
-        if channel.name.rpartition("/")[2] in SHARED:
+        if channel.name.rpartition("/")[2] in SHARED or (
+            channel.kind == "topic" and channel.name.startswith(SIMULATOR)
+        ):
             continue
         by_call: dict[Location, list[End]] = {}
         for end in channel.givers:

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Iterator
 
 from haros_ci.api import Check, Edit, Finding, Fix, Level, Location, Project, ProjectPackage, dataclass, listed, regex
@@ -14,6 +13,8 @@ from haros_ci.api.packages import (
     Programs,
     changes_modes,
     gives_modes,
+    is_built_by_copying,
+    is_for_nobody,
     is_for_noetic,
     is_given_to_another,
     is_imported_beside,
@@ -41,13 +42,6 @@ _LAUNCHED = ("roslaunch does not recognise it as a program", "roslaunch does not
 _RUN_BY_BUILD = tuple(
     f"dynamic_reconfigure runs {them} during the build, which may stop there" for them in ("it", "them")
 )
-#: So many scripts without their bits show how a workspace is built.
-_FEW = 2
-#: Files that describe the build for people and machines, and the options with which the execute bit of the source counts.
-_TELLING = regex(
-    r"\.(?:md|rst|txt|sh|bash|zsh|ya?ml|json|toml|py|mk|meta|repos)$|(?:^|/)[^/.]*$|dockerfile|containerfile", re.I
-)
-_LINKING = regex(r"symlink[-_]install")
 
 
 @dataclass(frozen=True, slots=True)
@@ -61,7 +55,7 @@ class _Bit:
 
 def check(project: Project) -> Iterator[Finding]:
     launched, programs = _launched(project), Programs(project)
-    level = Level.NOTE if _is_copied(project) else Level.WARNING
+    level = Level.NOTE if is_built_by_copying(project) else Level.WARNING
     for package in project.packages:
         yield from _joined(package, _of(package, launched.get(package.name, {}), level, programs))
 
@@ -81,7 +75,13 @@ def _of(
             yield from _unpacked(script, package)
         elif script.path not in seen and package.project.text(script.path) and not is_sourced(script.path, package):
             seen.add(script.path)
-            if not _is_module(script, package, programs):
+            if (
+                script.kind == "program"
+                and not _is_started(script, package, programs)
+                and is_for_nobody(script.path, package)
+            ):
+                yield _idle(script, package)
+            elif not _is_module(script, package, programs):
                 yield from _first_line(script.path, package, is_relayed=_is_relayed(script, package))
             yield from _mode(script, package, level, programs)
     yield from _started(package, launched, seen)
@@ -112,23 +112,6 @@ def _joined(package: ProjectPackage, found: Iterable[Finding | _Bit]) -> Iterato
             groups.setdefault((finding.why, finding.level), []).append(finding.path)
     for (why, level), paths in groups.items():
         yield _without_bit(package, list(dict.fromkeys(paths)), why, level)
-
-
-def _is_copied(project: Project) -> bool:
-    """Whether evidently nobody builds with links to the sources: no script (of two or more) of ament's install(PROGRAMS) has its bit, and nothing says so."""
-    bits = project.workspace.executables
-    paths = {
-        script.path
-        for package in project.packages
-        if package.ros == 2
-        for script in package.build.installed
-        if script.kind == "program" and not script.keeps_mode and _is_for_programs(script, package)
-        if project.text(script.path).startswith("#!") and not is_sourced(script.path, package)
-    }
-    if bits is None or len(paths) < _FEW or not paths.isdisjoint(bits):
-        return False
-    texts = (path for path in project.workspace.names if _TELLING.search(path))
-    return not any(_LINKING.search(project.text(path)) for path in texts)
 
 
 def _configured(package: ProjectPackage) -> Iterator[_Bit]:
@@ -200,6 +183,18 @@ def _without(path: str, package: ProjectPackage, lines: list[str], is_relayed: b
         about=(package.name, path),
         level=Level.WARNING if path.endswith(_SHELL) else None,
         fixes=fixes,
+    )
+
+
+def _idle(script: Installed, package: ProjectPackage) -> Finding:
+    """A module among the programs, which a shebang would not make one."""
+    return Finding(
+        at=Location(script.path, 1),
+        message=f"{script.path} is installed as a program, but does nothing when it is run, and nothing here starts or imports it: take it "
+        "out of the programs that are installed",
+        about=(package.name, script.path),
+        related=((script.location, "it is installed here"),),
+        level=Level.NOTE,
     )
 
 

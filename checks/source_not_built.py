@@ -14,6 +14,12 @@ _ASIDE = regex(
     r"(?:^|[/_-])(?:tests?|gtest|testing|examples?|demos?|samples?|benchmarks?|old|deprecated|unused|backup|windows|win32)(?:$|[/_.-])"
 )
 _COMMENT = regex(r"//[^\n]*|/\*.*?(?:\*/|\Z)", re.DOTALL)
+#: Libraries that are committed as they were built: ``libarm.a``, ``libarm.so.2``, ``arm.lib``.
+_PREBUILT = regex(r"(?:^|/)(?:lib)?([^/]{1,200}?)\.(?:a|lib|dylib|so(?:\.\d{1,8}){0,4})$")
+#: Commands that find or link a library by its name or file.
+_LINKING = frozenset(
+    "find_library link_libraries set_property set_target_properties target_link_libraries target_link_options".split()
+)
 #: The classes of one package that are looked for, and the largest file.
 MAX_CLASSES, MAX_TEXT = 200, 500_000
 
@@ -26,11 +32,28 @@ def check(project: Project) -> Iterator[Finding]:
 def _of(package: ProjectPackage) -> Iterator[Finding]:
     aside = loose(package)
     aside = [path for path in aside if not _ASIDE.search(path.removeprefix(package.path).lower())]
-    if not aside or len(aside) > MAX_CLASSES:
+    if not aside or len(aside) > MAX_CLASSES or _links_prebuilt(package):
         return
     every = frozenset(file.path for file in package.files if file.language == "cpp")
     for path in aside:
         yield from _needed(package, path, every)
+
+
+def _links_prebuilt(package: ProjectPackage) -> bool:
+    """Whether *package* finds or links a library that is committed as a file, which may have any symbol: ``find_library(ARM libarm.a lib)``."""
+    files = [found for path in package.project.workspace.names if (found := _PREBUILT.search(path)) is not None]
+    if not files:
+        return False
+    words = {
+        posixpath.basename(part).removeprefix("-l")
+        for command in package.build.commands
+        if command.name in _LINKING
+        for word in command.arguments
+        for part in word.split(";")
+    }
+    named = {posixpath.basename(found.string) for found in files}
+    made = {target.name for target in package.build.targets if target.kind != "imported"}
+    return not words.isdisjoint(named | ({found[1] for found in files} - made))
 
 
 def _needed(package: ProjectPackage, path: str, every: frozenset[str]) -> Iterator[Finding]:

@@ -355,3 +355,27 @@ def test_what_a_setter_makes_of_whole_numbers(line: str, level: Level, words: st
     check = next(check for check in checks() if check.id == "wrong-field-value")
     (result,) = said(check, Example("", True, files), tmp_path)
     assert result.level == level and words in result.message
+
+
+@pytest.mark.parametrize(
+    ("kind", "found", "expected"),
+    [
+        ("build_depend", "", Level.NOTE),
+        ("depend", "", Level.NOTE),
+        ("build_export_depend", "", Level.NOTE),
+        ("build_depend", "find_package(catkin REQUIRED COMPONENTS robot)\n", Level.ERROR),
+        ("exec_depend", "find_package(robot REQUIRED)\n", Level.ERROR),
+        ("build_depend", "find_package(robot QUIET)\n", Level.NOTE),
+    ],
+)
+def test_a_metapackage_that_cmake_cannot_find(kind: str, found: str, expected: Level, tmp_path: Path) -> None:
+    cmake = "cmake_minimum_required(VERSION 3.0)\nproject({})\nfind_package(catkin REQUIRED)\n{}\n"
+    files = {
+        "demo/package.xml": ROS1.replace("<depend>rospy", f"<{kind}>robot</{kind}><depend>rospy"),
+        "demo/CMakeLists.txt": cmake.format("demo", f"{found}catkin_package()"),
+        "robot/package.xml": ROS1.replace("demo", "robot").replace(
+            "</package>", "<export><metapackage/></export></package>"
+        ),
+        "robot/CMakeLists.txt": cmake.format("robot", "catkin_metapackage()"),
+    }
+    assert levels("metapackage-dependency", files, tmp_path) == [expected]

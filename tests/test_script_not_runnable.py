@@ -239,3 +239,70 @@ def test_a_module_with_a_shebang_that_scripts_beside_it_import(
         **more,
     }
     assert len(findings(tmp_path, files, ("scripts/fly.py",))) == count
+
+
+WORDS = "{}\n\n\ndef greeting():\n    return 1\n"
+WORDS_CMAKE = (
+    "cmake_minimum_required(VERSION 3.8)\nproject(demo)\nfind_package(ament_cmake REQUIRED)\n"
+    "install({} words.py DESTINATION {})\ninstall(DIRECTORY launch DESTINATION share/demo)\nament_package()\n"
+)
+
+
+@pytest.mark.parametrize(
+    "above",
+    [
+        "NAME = 1",
+        "import sys\nsys.path.append('lib')",
+        "from sys import path\npath.insert(0, 'lib')",
+        "import warnings\nwarnings.filterwarnings('ignore')",
+        "import numpy as np\nnp.set_printoptions(precision=3)",
+        "import matplotlib\nmatplotlib.use('Agg')",
+        "import roslib; roslib.load_manifest('demo')",
+        "import logging\nlogging.basicConfig()",
+    ],
+)
+def test_a_module_among_the_programs(above: str, tmp_path: Path) -> None:
+    files = filled({"words.py": WORDS.format(above)}) | {"CMakeLists.txt": WORDS_CMAKE.format("PROGRAMS", "lib/demo")}
+    ((path, level, message),) = findings(tmp_path, files)
+    assert (path, level) == ("words.py", "note")
+    assert "take it out of the programs" in message
+
+
+@pytest.mark.parametrize(
+    ("above", "level"),
+    [
+        ("run()", "error"),
+        ("import sys\nsys.path.append('lib')\nrun()", "error"),
+        ("import logging\nlogging.info('ready')", "error"),
+        ("import a\na.path.walk()", "error"),
+        ("if __name__ == '__main__':\n    run()", "error"),
+    ],
+)
+def test_a_program_that_prepares_itself(above: str, level: str, tmp_path: Path) -> None:
+    files = filled({"words.py": WORDS.format(above)}) | {"CMakeLists.txt": WORDS_CMAKE.format("PROGRAMS", "lib/demo")}
+    ((_, found, message),) = findings(tmp_path, files)
+    assert found == level
+    assert "begin it with one" in message
+
+
+@pytest.mark.parametrize(
+    ("more", "how"),
+    [
+        ({"words.py": "NAME = 1\n"}, ("PROGRAMS", "lib/demo")),
+        ({"words.py": "#!/usr/bin/env python3\n" + WORDS.format("")}, ("PROGRAMS", "lib/demo")),
+        ({}, ("FILES", "lib/demo")),
+        ({}, ("PROGRAMS", "share/demo")),
+        ({"other/go.py": "import words\n"}, ("PROGRAMS", "lib/demo")),
+        ({"other/go.py": "import os, words as w\n"}, ("PROGRAMS", "lib/demo")),
+        ({"other/go.py": "from demo.words import greeting\n"}, ("PROGRAMS", "lib/demo")),
+        ({"other/go.py": "from demo import (\n    words,\n)\n"}, ("PROGRAMS", "lib/demo")),
+        ({"other/go.py": "def load():\n    return import_module('words')\n"}, ("PROGRAMS", "lib/demo")),
+        ({"scripts/go": "#!/usr/bin/env python3\nimport words\n"}, ("PROGRAMS", "lib/demo")),
+        ({"README.md": "ros2 run demo words.py\n"}, ("PROGRAMS", "lib/demo")),
+        ({"launch/a.launch.xml": '<launch><node pkg="demo" exec="words.py"/></launch>\n'}, ("PROGRAMS", "lib/demo")),
+        ({"words.py": "def greeting(:\n"}, ("PROGRAMS", "lib/demo")),
+    ],
+)
+def test_a_module_that_is_wanted_or_not_known(more: dict[str, str], how: tuple[str, str], tmp_path: Path) -> None:
+    files = filled({"words.py": WORDS.format("NAME = 1"), **more}) | {"CMakeLists.txt": WORDS_CMAKE.format(*how)}
+    assert said(CHECK, Example("", True, files, executables=frozenset(("words.py",))), tmp_path) == ()

@@ -11,6 +11,7 @@ from haros_ci.checking.cmake import OF_TARGETS, CMake, Install, Link
 from haros_ci.checking.cmake_variables import is_found_by_others, may_set_variables
 from haros_ci.checking.conflicts import CONFLICT_BEGINS, CONFLICT_ENDS, conflicts
 from haros_ci.checking.console_scripts import entry_point_mistake, renamed_module
+from haros_ci.checking.copying_builds import is_built_by_copying
 from haros_ci.checking.counterparts import COUNTERPARTS
 from haros_ci.checking.devel_spaces import DevelSpaces
 from haros_ci.checking.editing import (
@@ -38,7 +39,13 @@ from haros_ci.checking.installing import (
     left_out_on_purpose,
 )
 from haros_ci.checking.interface_uses import interfaces_in_use
-from haros_ci.checking.interpreted import is_given_to_another, is_imported_beside, is_sourced, is_to_be_run
+from haros_ci.checking.interpreted import (
+    is_for_nobody,
+    is_given_to_another,
+    is_imported_beside,
+    is_sourced,
+    is_to_be_run,
+)
 from haros_ci.checking.known_commands import is_well_known
 from haros_ci.checking.leftovers import Leftovers
 from haros_ci.checking.lookups import Lookup, lookups
@@ -245,10 +252,12 @@ __all__ = [
     "is_aside",
     "is_asked_for",
     "is_built_against",
+    "is_built_by_copying",
     "is_called_after",
     "is_copy_by_name",
     "is_for_noetic",
     "is_for_tests",
+    "is_for_nobody",
     "is_given_to_another",
     "is_ignored",
     "is_imported_beside",

@@ -6,6 +6,7 @@ from __future__ import annotations
 import re
 
 from haros_ci import syntax
+from haros_ci.checking.imports import imported_words
 from haros_ci.checking.project import Project, ProjectPackage
 from haros_ci.regex import regex
 
@@ -19,6 +20,15 @@ _CMAKE = (".cmake", ".cmake.in", "CMakeLists.txt", ".cmake.em")
 _SOURCED = regex(
     r"(?:^|[/_.-])(?:(?:local_)?setup|hooks?|completions?|complete|bashrc|zshrc|aliases|env(?:ironment)?)\.(?:ba|z)?sh$"
     r"|(?:^|/)(?:\w+[-_])?(?:hooks?|completions?)/[^/]+$|completion\.(?:ba|z)?sh$"
+)
+#: What imports a module by a text.
+_DYNAMIC = regex(r"\b(?:import_module|__import__|load_source|spec_from_file_location|run_path|execfile)[ \t]*\(")
+#: Calls that files have above their definitions, modules as well as programs.
+_PREPARING = regex(
+    r"(?:sys\.)?path\.(?:append|insert|extend|remove)|site\.addsitedir|os\.environ\.(?:setdefault|update)|os\.putenv"
+    r"|warnings\.(?:filterwarnings|simplefilter)|(?:matplotlib|mpl)\.use|plt\.(?:switch_backend|style\.use)|(?:matplotlib|mpl|plt)\.rc(?:Params\.update)?"
+    r"|(?:np|numpy)\.(?:set_printoptions|seterr)|torch\.set_printoptions|logging\.(?:basicConfig|disable|captureWarnings)|(?:roslib\.)?load_manifest"
+    r"|gi\.require_version|locale\.setlocale|faulthandler\.enable|cv2\.setNumThreads|pd\.set_option"
 )
 _SETTING = regex(r"#|export\b|source\b|\.\s|alias\b|unset\b|complete\b|[A-Za-z_]\w*=\S*$")
 
@@ -63,7 +73,10 @@ def is_imported_beside(path: str, package: ProjectPackage) -> bool:
 
 
 def is_to_be_run(path: str, project: Project) -> bool:
-    """Whether a file does something when it is run: a module that is only imported needs no shebang."""
+    """Whether a file does something when it is run: a module that is only imported needs no shebang.
+
+    A call that prepares imports (``sys.path.insert(…)``), or sets a library up, is nothing that a file is run for.
+    """
     if path.endswith(_READ):
         return False
     program = project.programs.get(path)
@@ -72,10 +85,44 @@ def is_to_be_run(path: str, project: Project) -> bool:
         return text.startswith("#!") or ("." not in path.rpartition("/")[2] and _imports(text))
     body = next((function.body for function in program.functions if function.kind == "module"), None) or ()
     return any(
-        (isinstance(statement, syntax.Do) and isinstance(statement.value, syntax.Call))
+        (
+            isinstance(statement, syntax.Do)
+            and isinstance(statement.value, syntax.Call)
+            and not _PREPARING.fullmatch(_dotted(statement.value.callee))
+        )
         or (isinstance(statement, syntax.If) and "__name__" in statement.text)
         for statement in body
     )
+
+
+def is_for_nobody(path: str, package: ProjectPackage) -> bool:
+    """Whether the Python file at *path* only defines functions and classes, is no program, and no other file of the workspace imports it by its name."""
+    project = package.project
+    if not path.endswith(".py") or path.endswith(_READ) or not _only_defines(path, project):
+        return False
+    stem = path.rpartition("/")[2].removesuffix(".py")
+    files = project.workspace.files
+    others = (file.path for file in files if file.path != path and file.language in ("python", "launch"))
+    texts = (text for other in others if stem in (text := project.text(other)))
+    return not any(stem in imported_words(text) or _DYNAMIC.search(text) for text in texts)
+
+
+def _only_defines(path: str, project: Project) -> bool:
+    """Whether the file, which has no shebang, defines functions or classes, and nothing else happens when it is run."""
+    program = project.programs.get(path)
+    if program is None or program.problems or project.text(path).startswith("#!"):
+        return False
+    defines = bool(program.classes) or any(function.kind != "module" for function in program.functions)
+    return defines and not is_to_be_run(path, project)
+
+
+def _dotted(callee: syntax.Expression) -> str:
+    """What is called, as names with dots: ``sys.path.insert``; "" for anything else."""
+    parts: list[str] = []
+    while isinstance(callee, syntax.Member):
+        parts.append(callee.name)
+        callee = callee.object
+    return ".".join(reversed([*parts, callee.name])) if isinstance(callee, syntax.Name) else ""
 
 
 def _imports(text: str) -> bool:

@@ -46,7 +46,8 @@ def loses_nothing(text: str, line: int) -> bool:
     """Whether nothing is lost where the function or class that begins at *line* takes the place of the one of its name before it in the block.
 
     It is word for word the same, or both are registered under names of their own: ``@io.on("open")`` above one ``def done``, ``@io.on("close")``
-    above the other. Whoever calls those does not call them by the name that they share.
+    above the other. Whoever calls those does not call them by the name that they share. Or what it replaces is a value of a class, which the
+    class has used by then: ``format = "…"``, ``FORMATS = {1: format}``, ``def format(self, record)``.
     """
     for block in _blocks(text):
         before: dict[str, _Definition] = {}
@@ -59,7 +60,45 @@ def loses_nothing(text: str, line: int) -> bool:
                 one, other = _registered_as(first), _registered_as(statement)
                 return is_same(first, statement) or (bool(one and other) and one != other)
             before[statement.name] = statement
+    return any(
+        _is_of_used_value(node, line)
+        for node in nodes(text)
+        if isinstance(node, ast.ClassDef) and node.lineno < line <= (node.end_lineno or 0)
+    )
+
+
+def _is_of_used_value(owner: ast.ClassDef, line: int) -> bool:
+    """Whether the method of *owner* that begins at *line* takes the place of a value that the body of the class reads above it, and that no method reads."""
+    read: set[str] = set()  # since its last assignment
+    given: set[str] = set()
+    for statement in owner.body:
+        if isinstance(statement, _DEFINITIONS):
+            begin = min([statement.lineno, *(decorator.lineno for decorator in statement.decorator_list)])
+            if begin <= line <= statement.lineno:
+                name = statement.name
+                return name in given and name in read and not _is_read_as_value(owner, name)
+            given.discard(statement.name)
+            continue
+        names = [node for node in ast.walk(statement) if isinstance(node, ast.Name)]
+        stored = {node.id for node in names if not isinstance(node.ctx, ast.Load)}
+        given |= stored
+        read -= stored
+        read |= {node.id for node in names if isinstance(node.ctx, ast.Load)} - stored
     return False
+
+
+def _is_read_as_value(owner: ast.ClassDef, name: str) -> bool:
+    """Whether *owner* reads its attribute *name* without calling it: it may have the value in mind, and gets the method."""
+    inner = list(ast.walk(owner))
+    called = {id(node.func) for node in inner if isinstance(node, ast.Call)}
+    return any(
+        isinstance(node, ast.Attribute)
+        and node.attr == name
+        and isinstance(node.value, ast.Name)
+        and node.value.id in ("self", "cls", owner.name)
+        and id(node) not in called
+        for node in inner
+    )
 
 
 def _registered_as(definition: _Definition) -> str:

@@ -20,6 +20,10 @@ _PUT_ASIDE = frozenset("uneeded unneeded unused".split())
 _ARCHIVES = frozenset(
     "archive archived archives attic backup backups bak deprecated graveyard legacy obsolete old trash unused".split()
 )
+#: Such directories with a word of what they hold: ``legacy_ros1``, ``old_scripts``, ``launch_old``.
+_FORMER = "deprecated|legacy|obsolete|old|unused"
+_HELD = r"code|files?|launch|modules?|nodes?|ros[12]?|scripts?|src|stuff|versions?|v?\d{1,8}"
+_ARCHIVE_OF = regex(rf"(?:{_FORMER})[_-]?(?:{_HELD})|(?:{_HELD})[_-](?:{_FORMER})")
 
 
 def superseded(stem: str) -> str:
@@ -32,5 +36,6 @@ def is_archived(path: str) -> bool:
     """Whether the file at *path* is in a directory of what is no longer used, by its name."""
     folders = path.rpartition("/")[0].lower().split("/")
     return not _ARCHIVES.isdisjoint(folders) or any(
-        not _PUT_ASIDE.isdisjoint(re.split(r"[^a-z0-9]+", folder)) for folder in folders
+        _ARCHIVE_OF.fullmatch(folder) is not None or not _PUT_ASIDE.isdisjoint(re.split(r"[^a-z0-9]+", folder))
+        for folder in folders
     )

@@ -22,6 +22,8 @@ _OTHER_BUILDS = frozenset(
     "makefile gnumakefile platformio.ini build build.bazel meson.build sconstruct sdkconfig library.properties .project".split()
 )
 _OTHER_PROJECTS = (".pro", ".ino", ".vcxproj", ".mk", ".bazel", ".gyp", ".ioc", ".ld", ".uvprojx", ".cproject")
+#: Files that build a package.
+_OF_BUILDS = frozenset(("CMakeLists.txt", "setup.cfg", "setup.py"))
 #: Files that may compile a source: a Python extension, a script.
 _BUILDING = ("setup", "python", "shell", "dockerfile", "yaml")
 #: Names of Python files that tools find by their names.
@@ -95,30 +97,65 @@ class Unused(Judged):
     def _unnamed(self, files: Iterable[SourceFile]) -> list[str]:
         """The Python modules among *files* that are superseded copies and that only their own files name."""
         candidates = [file for file in files if file.language == "python" and self._may_be_left(file)]
-        stems = {file.path: _stem(file.path) for file in candidates}
-        for other in self._by_order if stems else ():
-            text = as_python_reads(self._workspace.text(other.path))
-            if other.language in ("python", "launch", "setup", "cmake") and _DYNAMIC.search(text):
-                stems = {
-                    path: stem
-                    for path, stem in stems.items()
-                    if self._files[path].package != other.package or " " in stem  # no module has such a name
-                }
-            for path, stem in tuple(stems.items()):
-                if self._is_set_aside(self._files[path]) and self._is_set_aside(other):
-                    continue  # what is archived together names each other, and so do trials
-                if other.path != path and stem in text and re.search(self._naming(self._files[path], stem), text):
-                    del stems[path]
-            if not stems:
-                break
-        return list(stems)
+        asked = frozenset(file.path for file in candidates)
+        if any(self._is_set_aside(file) for file in candidates):  # one of them may be used by another that is used
+            candidates += (file for file in self._aside if file.path not in asked)
+        left = {file.path: _called(file) for file in candidates}
+        for other in self._by_order:
+            if asked.isdisjoint(left):
+                return []
+            left = self._without_named(left, other, is_used=not self._is_set_aside(other) or self._is_built(other))
+        return [path for path in self._without_used(left, asked) if path in asked]
+
+    def _without_used(self, left: dict[str, str], asked: frozenset[str]) -> dict[str, str]:
+        """*left* without what files that are set aside name, themselves, or by others like them, named by a file that is not; as long as one *asked* for is left."""
+        waiting = [file for file in self._aside if file.path not in left]
+        while waiting and not asked.isdisjoint(left):
+            before = left
+            left = self._without_named(left, waiting.pop(), is_used=True)
+            named = sorted(before.keys() - left.keys()) if left is not before else ()
+            waiting += (self._files[path] for path in named if self._is_set_aside(self._files[path]))
+        return left
+
+    def _without_named(self, left: dict[str, str], other: SourceFile, *, is_used: bool) -> dict[str, str]:
+        """*left*, paths with their stems, without those that *other* names. What is set aside together names each other, unless *other* is used."""
+        text = as_python_reads(self._workspace.text(other.path))
+        open_to = {path for path in left if is_used or not self._is_set_aside(self._files[path])}
+        named: set[str] = set()
+        if other.language in ("python", "launch", "setup", "cmake") and _DYNAMIC.search(text):
+            named = {
+                path
+                for path in open_to
+                if self._files[path].package == other.package and " " not in left[path]  # no module has such a name
+            }
+        for path in open_to - named - {other.path}:
+            if left[path] in text and re.search(self._naming(self._files[path], left[path]), text):
+                named.add(path)
+        return {path: stem for path, stem in left.items() if path not in named} if named else left
+
+    @cached_property
+    def _aside(self) -> list[SourceFile]:
+        """The Python modules, launch files and CMake files that are set aside, in order."""
+        languages = ("python", "launch", "cmake")
+        return [file for file in self._by_order if file.language in languages and self._is_set_aside(file)]
+
+    @cached_property
+    def _homes(self) -> frozenset[str]:
+        """The directories of the packages."""
+        return frozenset(package.path for package in self._workspace.packages)
+
+    def _is_built(self, file: SourceFile) -> bool:
+        """Whether *file* is what builds a package, which is built wherever it lies."""
+        return posixpath.basename(file.path) in _OF_BUILDS and _directory(file.path) in self._homes
 
     def _naming(self, file: SourceFile, stem: str) -> str:
         """The pattern of what names *file*: its *stem* as a word, but a common word (``controller``) of an archived file as a module or a file alone."""
         name = re.escape(stem)
+        if file.language == "cmake":
+            return rf"\badd_subdirectory\s*\([^()]{{0,300}}(?<!\w){name}(?!\w)"
         if is_archived(file.path) and stem.isalpha() and stem.islower():
             return (
-                rf"(?m)(?<!\w){name}\.py(?!\w)|[\"'/]{name}[\"']|^[ \t]*{name}[ \t]*,?[ \t]*$"
+                rf"(?m)(?<!\w){name}\.py(?!\w)|[\"'/]{name}[\"']|\w\.{name}[:\"']|^[ \t]*{name}[ \t]*,?[ \t]*$"
                 rf"|\bimport[ \t(][^\n]{{0,200}}(?<!\w){name}(?!\w)|\bfrom[ \t]+[\w.]{{0,200}}(?<!\w){name}(?!\w)"
             )
         return rf"(?<!\w){name}(?!\w)"
@@ -180,6 +217,11 @@ def _above(path: str) -> Iterable[str]:
     while path != ".":
         path = _directory(path)
         yield path
+
+
+def _called(file: SourceFile) -> str:
+    """What others call *file*: the name without its ending; of what CMake reads, the directory."""
+    return posixpath.basename(_directory(file.path)) if file.language == "cmake" else _stem(file.path)
 
 
 def _stem(path: str) -> str:

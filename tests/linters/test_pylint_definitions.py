@@ -110,3 +110,32 @@ def test_a_function_in_place_of_one_of_a_star_import(text: str, expected: bool) 
 def test_an_object_that_its_base_class_gives_back(body: str, expected: bool) -> None:
     text = f"class Net(Base):\n    def cuda(self):\n        {body}\n"
     assert is_refuted("self-cls-assignment", 3, 8, text) is expected
+
+
+COLOURED = "class Coloured(logging.Formatter):\n    red = 'r'\n    format = '%(message)s'\n{}\n    def format(self, record):\n        return {}\n"
+USED = "    FORMATS = {1: red + format}\n"
+
+
+@pytest.mark.parametrize(
+    ("text", "line", "expected"),
+    [
+        (COLOURED.format(USED, "1"), 6, True),
+        (COLOURED.format(USED, "Formatter(self.FORMATS[1]).format(record)"), 6, True),
+        (COLOURED.format(USED, "self.format(record)"), 6, True),
+        (COLOURED.format("    print(format)\n", "1"), 6, True),
+        (COLOURED.format("    if debug:\n        a = format\n", "1"), 7, True),
+        (COLOURED.format(USED + "    @wraps\n", "1").replace("@wraps\n\n", "@wraps\n"), 6, True),
+        (COLOURED.format("", "1"), 5, False),  # nothing reads the text
+        (COLOURED.format(USED, "self.format % record"), 6, False),  # this does, and gets the method
+        (COLOURED.format(USED, "Coloured.format % record"), 6, False),
+        (COLOURED.format(USED + "    format = 'b'\n", "1"), 7, False),
+        (COLOURED.format("    other = lambda: 1\n", "1"), 6, False),
+        (COLOURED.format("    def use(self):\n        return format\n", "1"), 7, False),
+        (COLOURED.format("    # format\n", "1"), 6, False),
+        (COLOURED.format("    format = red + format\n", "1"), 6, False),
+        ("format = 'a'\nprint(format)\ndef format():\n    return 1\n", 3, False),
+        ("class A:\n    b = '1'\nclass C:\n    d = b\n    def b(self):\n        pass\n", 5, False),
+    ],
+)
+def test_a_value_of_a_class_that_is_used_before_a_method_takes_its_name(text: str, line: int, expected: bool) -> None:
+    assert is_refuted("function-redefined", line, 0, text) is expected

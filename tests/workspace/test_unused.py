@@ -92,6 +92,24 @@ FIRES_PYTHON = [
     ("demo/pick_fast_old.py", {"demo/pick_fast_old.py": NODE, "demo/pick_fast.py": NODE}),
     ("demo/pick_old.py", {"demo/pick_old.py": NODE, "demo/pick_fast.py": NODE}),
     ("scripts/archive/walk.py", {"scripts/archive/walk.py": NODE, "scripts/pick.py": NODE}),
+    ("demo/legacy/walk.py", {"demo/legacy/walk.py": NODE, "demo/legacy/load.py": "import_module(name)\n"}),
+    ("demo/legacy_ros1/walk.py", {"demo/legacy_ros1/walk.py": NODE}),
+    ("demo/old_scripts/walk.py", {"demo/old_scripts/walk.py": NODE}),
+    ("demo/nodes-deprecated/walk.py", {"demo/nodes-deprecated/walk.py": NODE}),
+    (
+        "legacy/scripts/walk.py",
+        {
+            "package.xml": MANIFEST,
+            "CMakeLists.txt": "add_subdirectory(new)\n",
+            "legacy/scripts/walk.py": NODE,
+            "legacy/CMakeLists.txt": "install(PROGRAMS scripts/walk.py DESTINATION bin)\n",
+        },
+    ),
+    (
+        "demo/legacy/walk.py",
+        {"demo/legacy/walk.py": NODE, "demo/legacy/pick.py": "import walk\n", "go.py": "from demo import pickle\n"},
+    ),
+    ("demo/old2/walk.py", {"demo/old2/walk.py": NODE, "demo/legacy/load.py": "__import__(name)\n"}),
     ("Old/walk.py", {"Old/walk.py": NODE}),
     ("demo/pick-backup2.py", {"demo/pick-backup2.py": "#!/usr/bin/env python3\n" + NODE, "demo/pick.py": NODE}),
     ("demo/old_pick.py", {"demo/old_pick.py": MODULE, "demo/pick.py": MODULE}),
@@ -131,6 +149,67 @@ QUIET_PYTHON = [
     ("archive/walk_on.py", {"archive/walk_on.py": NODE, "README.md": "how to walk_on\n"}),
     ("walk_old.py", {"walk_old.py": NODE, "walk.py": NODE, "README.md": "how to walk_old\n"}),
     ("archives_of_data/walk.py", {"archives_of_data/walk.py": NODE}),
+    ("legacy_arm/walk.py", {"legacy_arm/walk.py": NODE}),
+    ("demo/old_town/walk.py", {"demo/old_town/walk.py": NODE}),
+    ("demo/ros1/walk.py", {"demo/ros1/walk.py": NODE}),
+    ("demo/legacy/walk.py", {"demo/legacy/walk.py": NODE, "demo/load.py": "import_module(name)\n"}),
+    ("demo/legacy_ros1/walk.py", {"demo/legacy_ros1/walk.py": NODE, "demo/a.launch": "<node type='walk.py'/>\n"}),
+    ("demo/legacy/walk.py", {"demo/legacy/walk.py": NODE, "demo/go.py": "from demo.legacy.walk import main\n"}),
+    (
+        "demo/legacy/walk.py",
+        {
+            "demo/legacy/walk.py": NODE,
+            "demo/legacy/pick.py": "import walk\n",
+            "go.py": "from demo.legacy import pick\n",
+        },
+    ),
+    (
+        "demo/legacy/walk.py",
+        {
+            "demo/legacy/walk.py": NODE,
+            "demo/legacy/pick.py": "import turn_on\n",
+            "demo/legacy/turn_on.py": "import walk\n",
+            "demo/a.launch": "<node type='pick.py'/>\n",
+        },
+    ),
+    (
+        "demo/legacy/walk.py",
+        {
+            "demo/legacy/walk.py": NODE,
+            "demo/legacy/pick.py": "import_module(name)\n",
+            "demo/go.py": "from demo.legacy import pick\n",
+        },
+    ),
+    (
+        "legacy/demo/demo/walk.py",
+        {
+            "legacy/demo/demo/walk.py": NODE,
+            "legacy/demo/package.xml": MANIFEST,
+            "legacy/demo/setup.py": "setup(entry_points={'console_scripts': ['walk = demo.walk:main']})\n",
+        },
+    ),
+    (
+        "demo/legacy/walk.py",
+        {"demo/legacy/walk.py": NODE, "setup.py": "x = ['walk = demo.legacy.walk:main']\n"},
+    ),
+    ("demo/legacy/walk.py", {"demo/legacy/walk.py": NODE, "go.py": "load('demo.legacy.walk')\n"}),
+    (
+        "legacy/scripts/walk.py",
+        {
+            "package.xml": MANIFEST,
+            "CMakeLists.txt": "add_subdirectory(legacy)\n",
+            "legacy/scripts/walk.py": NODE,
+            "legacy/CMakeLists.txt": "install(PROGRAMS scripts/walk.py DESTINATION bin)\n",
+        },
+    ),
+    (
+        "legacy/demo/scripts/walk.py",
+        {
+            "legacy/demo/scripts/walk.py": NODE,
+            "legacy/demo/package.xml": MANIFEST,
+            "legacy/demo/CMakeLists.txt": "install(PROGRAMS scripts/walk.py DESTINATION bin)\n",
+        },
+    ),
     ("archive/pick.py", {"archive/pick.py": NODE, "walk.py": "from archive.pick import main\n"}),
     ("archive/conftest.py", {"archive/conftest.py": NODE}),
     ("notes/pick.py", {"notes/pick.py": NODE}),
