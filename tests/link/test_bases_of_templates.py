@@ -4,7 +4,9 @@
 from __future__ import annotations
 
 import pytest
-from follow_kit import conditions, cpp_files, ends, follow, main, names, node
+from follow_kit import CMAKE, CPP_HEAD, conditions, cpp_files, ends, follow, main, names, node, only
+
+from haros_ci.model.architecture import Node
 
 BASE = """#pragma once
 #include <ros/ros.h>
@@ -76,3 +78,62 @@ def test_a_library_may_call_what_it_is_the_base_of(made: str, base: str) -> None
     found = node(follow(_files(f"auto kite = {made};\n", "*new ros::NodeHandle()", base)))
     said = [unknown.reason for end in ends(found) for unknown in end.unknowns]
     assert any("outside::Flap is not in the workspace: its library may call the object" in reason for reason in said)
+
+
+NODELET = (
+    CPP_HEAD
+    + """#include <nodelet/nodelet.h>
+#include <pluginlib/class_list_macros.h>
+namespace wings {
+struct Soft { static const char* topic() { return "soft"; } };
+struct Hard { static const char* topic() { return "hard"; } };
+template <class Base> class Kite : public Base {
+ros::Publisher one, two;
+virtual void onInit() {
+ros::NodeHandle& nh{ HANDLE };
+one = nh.advertise<std_msgs::String>("lift", 1);
+two = nh.advertise<std_msgs::String>(MORE, 1);
+} };
+TYPES }
+PLUGINLIB_EXPORT_CLASS(wings::N, nodelet::Nodelet)
+"""
+)
+DESCRIPTION = '<library path="lib/libq">{}</library>'
+CLASSES = '<class name="p/{0}" type="wings::{0}" base_class_type="nodelet::Nodelet"/>'
+MANIFEST = '<package format="2"><name>p</name><export><nodelet plugin="${prefix}/n.xml"/></export></package>'
+
+
+def _nodelets(text: str, *classes: str) -> dict[str, Node]:
+    nodes = "".join(f'<node pkg="nodelet" type="nodelet" name="{name}" args="load p/{name} m"/>' for name in classes)
+    files = {
+        "p/CMakeLists.txt": CMAKE.format("p") + "add_library(q src/q.cpp)\n",
+        "p/package.xml": MANIFEST,
+        "p/n.xml": DESCRIPTION.format("".join(map(CLASSES.format, classes))),
+        "p/src/q.cpp": text,
+        "p/launch/l.launch": f'<launch><node pkg="nodelet" type="nodelet" name="m" args="manager"/>{nodes}</launch>',
+    }
+    return {found.name: found for found in only(follow(files)).nodes}
+
+
+@pytest.mark.parametrize("alias", ["using N = Kite<nodelet::Nodelet>;", "typedef Kite<nodelet::Nodelet> N;"])
+@pytest.mark.parametrize("handle", ["Base::getPrivateNodeHandle()", "this->getPrivateNodeHandle()"])
+def test_a_nodelet_by_the_base_that_it_is_given(alias: str, handle: str) -> None:
+    text = NODELET.replace("TYPES", alias).replace("HANDLE", handle).replace("MORE", '"more"')
+    found = _nodelets(text, "N")["/N"]
+    assert [name for name in names(found) if name.startswith("/N/")] == ["/N/lift", "/N/more"]
+    assert not found.unknowns
+
+
+def test_two_nodelets_of_one_template() -> None:
+    """What one of them is given is not what the other is."""
+    text = NODELET.replace("class Base", "class Base, class Kind").replace("MORE", "Kind::topic()")
+    both = "typedef Kite<nodelet::Nodelet, Soft> N; typedef Kite<nodelet::Nodelet, Hard> M;"
+    nodes = _nodelets(text.replace("HANDLE", "Base::getPrivateNodeHandle()").replace("TYPES", both), "N", "M")
+    assert [name for name in names(nodes["/N"]) if "/N/" in name] == ["/N/lift", "/N/soft"]
+    assert [name for name in names(nodes["/M"]) if "/M/" in name] == ["/M/hard", "/M/lift"]
+
+
+def test_a_nodelet_of_a_base_that_is_not_here() -> None:
+    text = NODELET.replace("TYPES", "using N = Kite<outside::Lifted>;").replace("MORE", '"more"')
+    found = _nodelets(text.replace("HANDLE", "Base::getPrivateNodeHandle()"), "N")["/N"]
+    assert any("outside::Lifted is not in the workspace" in unknown.reason for unknown in found.unknowns)
