@@ -53,6 +53,8 @@ if TYPE_CHECKING:
 DICTS = frozenset(("dict", "[dict]", "collections.OrderedDict"))
 #: What gives back its second argument (docs.python.org/3/library/typing.html#typing.cast).
 CASTS = frozenset(("typing.cast", "typing_extensions.cast"))
+#: Numbers in a row; ``xrange`` of Python 2 goes through the same (docs.python.org/2/library/functions.html#xrange).
+RANGES = frozenset(("range", "xrange", "six.moves.range", "six.moves.xrange", "past.builtins.xrange"))
 YAML = frozenset(("yaml.load", "yaml.safe_load", "yaml.full_load"))
 
 
@@ -77,7 +79,7 @@ def function(walk: Walk, frame: Frame, name: str, args: tuple[PassedArgument, ..
         if isinstance(first, Sequence) and isinstance(first.content.value, tuple):
             return Known(len(first.content.value))
         return walk.opaque("the length of what is not known", frame, None, syntax.Type("int"))
-    if name == "range":
+    if name in RANGES:
         bounds = [a.value.value for a in args if isinstance(a.value, Known) and isinstance(a.value.value, int)]
         if args and len(bounds) == len(args):
             try:
