@@ -20,6 +20,9 @@ from haros_ci.syntax import Program
 #: What a macro's text calls: methods, also with template arguments, and functions.
 _CALLED = regex(r"(\.|->|\b)\s*(?:template\s+)?([A-Za-z_]\w*)\s*(?:<[^<>(){};]{0,200}>\s*)?\(")
 _WORD = regex(r"[A-Za-z_]\w*")
+#: A macro's text that is a text, of a parameter's name among others, and one that is what another macro makes of its parameter.
+_TEXT = regex(r"""(?:[\s()]|"(?:[^"\\\n]|\\.)*"|\#\s*[A-Za-z_]\w*)+""")
+_PASSED = regex(r"\(?\s*([A-Za-z_]\w*)\s*\(\s*[A-Za-z_]\w*\s*\)\s*\)?")
 #: Macros that are given, how much of the text of each, and headers that a file includes.
 MOST, LONGEST, MOST_HEADERS = 200, 4000, 2000
 
@@ -40,7 +43,7 @@ def given(programs: Mapping[str, Program], mentions: Mapping[str, frozenset[str]
 
 
 def calling(programs: Mapping[str, Program]) -> dict[str, Macro]:
-    """The macros with parameters that all definitions of their names agree on, and whose text calls an API, one of those, or a parameter."""
+    """The macros with parameters that all definitions of their names agree on, and whose text calls an API, one of those, or a parameter, or is a text (``#V``)."""
     every: dict[str, set[Macro] | None] = {}
     for program in programs.values():
         for name, parameters, body in program.macros:
@@ -55,7 +58,10 @@ def calling(programs: Mapping[str, Program]) -> dict[str, Macro]:
     making |= {name for name, called in calls.items() if any(word in single[name][0] for _, word in called)}
     while further := {name for name, called in calls.items() if {word for _, word in called} & making} - making:
         making |= further
-    return {name: single[name] for name in sorted(making)[:MOST]}
+    texts = {name for name, (_, body) in single.items() if "#" in body and _TEXT.fullmatch(body)}
+    passed = {name: _PASSED.fullmatch(body) for name, (_, body) in single.items()}
+    texts |= {name for name, match in passed.items() if match and match[1] in texts}
+    return {name: single[name] for name in [*sorted(making), *sorted(texts - making)][:MOST]}
 
 
 def state(programs: Mapping[str, Program]) -> str:

@@ -179,7 +179,10 @@ def _entries_of_unknown_base(walk: Walk, this: Object) -> None:
     if not any(found[1] is this.definition[1] for found in walk.context.plugins.values()):
         return
     method = methods.method_of(walk, this, "onInit", ())
-    bases = [base for base in methods.library_bases(walk, *this.definition) if base not in walk.rows]
+    templates = this.templates if this.definition[1].templates else methods.NOTHING
+    bases = [
+        base for base in methods.library_bases(walk, *this.definition, templates=templates) if base not in walk.rows
+    ]
     if method is None or not bases:
         return
     message = f"the base class {bases[0]} is not in the workspace: what it makes and calls is not known"

@@ -16,7 +16,7 @@ from haros_ci.follow import activation, call_arguments, calls, expressions, look
 from haros_ci.follow.command import Command
 from haros_ci.follow.command_contexts import CONTEXT, DEEP, PASSING, UNKNOWN, context_of, of_class, passed
 from haros_ci.follow.frames import Frame
-from haros_ci.follow.libraries import argparse, python_modules
+from haros_ci.follow.libraries import argparse, argparse_words, python_modules
 from haros_ci.follow.walk import Walk
 from haros_ci.graph.words import PART
 from haros_ci.index.index import Source
@@ -149,7 +149,7 @@ def _chosen(walk: Walk, frame: Frame, value: Object, args: tuple[call_arguments.
     ways = []
     for cell in value.fields.values():
         assert isinstance(cell.value, Object)
-        names, called = cell.value.fields[argparse.NAMES].value, cell.value.fields[argparse.FUNCTION].value
+        names, called = cell.value.fields[argparse_words.NAMES].value, cell.value.fields[argparse.FUNCTION].value
         assert isinstance(called, Callable) and isinstance(names, Known)
         place = Location(called.source.path, called.function.line, called.function.column)
         ways.append(Way(tuple(names.of(list)), place, partial(activation.invoke, walk, frame, called, args)))

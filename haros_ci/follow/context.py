@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Callable as Function_
 from collections.abc import Mapping
+from itertools import combinations
 
 from haros_ci.follow.made import MadeEntity
 from haros_ci.graph.parameters import YamlFiles
@@ -27,11 +28,15 @@ Exact = Function_[
 #: Why a word of the command line is not known.
 NO_WORD = "a part of the command line is not known"
 #: What roslaunch may add to the words of a node (wiki.ros.org/roslaunch/XML/node), and launch_ros (launch_ros/actions/node.py).
-ADDED = ((), ("__name:=x", "__log:=/x"))
-ADDED_BY_LAUNCH = (
+ADDED: tuple[tuple[str, ...], ...] = ((), ("__name:=x", "__log:=/x"), ("x:=y", "__name:=x", "__log:=/x"))
+_FLAGS = ("-r", "-p", "--params-file", "--log-level")
+ADDED_BY_LAUNCH: tuple[tuple[str, ...], ...] = (
     (),
-    ("--ros-args",),
-    ("--ros-args", *(word for flag in ("-r", "-p", "--params-file", "--log-level") for word in (flag, "x"))),
+    *(
+        ("--ros-args", *(word for flag in flags for word in (flag, "x")))
+        for number in range(len(_FLAGS) + 1)
+        for flags in combinations(_FLAGS, number)
+    ),
 )
 
 
@@ -86,11 +91,14 @@ class Context:
         """The words of the command line behind the program's name; none where they are not known."""
         return [Opaque(NO_WORD) if PART in word else Known(word) for word in self.arguments or ()]
 
-    def lines(self) -> list[list[str]]:
-        """The words of a program that a launch file starts with each of those that this may add; none where they are not known."""
-        words = [] if self.arguments is None or not self.is_launched else [list(self.arguments)]
-        added = ADDED if self.process is None else ADDED_BY_LAUNCH
-        return [[*own, *more] for own in words if PART not in "".join(own) for more in added]
+    def own_words(self) -> list[str] | None:
+        """The words that a launch file gives to the program; None where they are not known, or nothing starts it."""
+        words = self.arguments if self.is_launched else None
+        return None if words is None or any(PART in word for word in words) else list(words)
+
+    def added(self) -> tuple[tuple[str, ...], ...]:
+        """What launch may add behind these words, beginning with nothing."""
+        return ADDED if self.process is None else ADDED_BY_LAUNCH
 
     def is_asked(self, name: str) -> bool:
         """Whether it is known which parameter a full name is: all of it is, or all that stands behind the node's own name."""

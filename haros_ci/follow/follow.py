@@ -62,13 +62,16 @@ class Entry:
     label: str = ""
     #: ``package/name`` of the target, where several compile the same file with other macros.
     target: str = ""
+    #: The arguments of the template that the class is one of.
+    arguments: tuple[syntax.Argument, ...] = ()
 
     @property
     def key(self) -> tuple[str, str, str]:
         """The file and the names of the function and class: the same in the next run."""
         function = self.function.name if self.function is not None else self.label
         function = f"{function}@{self.target}" if self.target else function
-        return self.source.path, function, self.definition.name if self.definition is not None else ""
+        class_name = self.definition.name if self.definition is not None else ""
+        return self.source.path, function, f"{class_name}{repr(self.arguments) if self.arguments else ''}"
 
 
 def follow(walk: Walk, entry: Entry) -> bool:
@@ -99,7 +102,7 @@ def _start(walk: Walk, frame: Frame, entry: Entry) -> None:
         owner = (entry.source, entry.definition)
         args: tuple[call_arguments.PassedArgument, ...] = _component_arguments(walk, entry)
         place = Location(entry.source.path, entry.definition.line)
-        made = construct.instance(walk, frame, owner, (), args, place)
+        made = construct.instance(walk, frame, owner, entry.arguments, args, place)
         if args:
             outside_nodes.spun(walk, (call_arguments.PassedArgument(made),), place)
         first = _entries(walk) if walk.context.process is None else []

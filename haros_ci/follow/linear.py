@@ -12,6 +12,7 @@ from haros_ci.follow.walk import Walk
 from haros_ci.index.index import Source
 from haros_ci.syntax import Class, Type
 from haros_ci.values.abstract import ClassValue, Library, Value
+from haros_ci.values.iterators import class_meant
 
 #: A class of the workspace, or the name of one of a library.
 Entry = tuple[Source, Class] | str
@@ -71,6 +72,7 @@ def entry_of(walk: Walk, base: Type, source: Source) -> Entry:
     value: Value = expressions.evaluate(walk, frame, syntax.Name(base.name.split(".")[0]))
     for part in base.name.split(".")[1:]:
         value = members.attribute(walk, value, part, Frame(source, ""))
+    value = class_meant(value)
     if isinstance(value, ClassValue):
         return value.source, value.definition
     return value.name if isinstance(value, Library) else ""

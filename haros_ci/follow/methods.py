@@ -14,6 +14,7 @@ from haros_ci.index.index import Source
 from haros_ci.model.location import Location
 from haros_ci.syntax import Class, Field, Function, Type
 from haros_ci.values.abstract import Callable, ClassValue, Object, Value
+from haros_ci.values.iterators import class_meant
 
 if TYPE_CHECKING:
     from haros_ci.follow.call_arguments import PassedArgument
@@ -109,6 +110,7 @@ def python_class(walk: Walk, base: Type, source: Source) -> tuple[Source, Class]
     value: Value = expressions.evaluate(walk, lookup.module_frame(walk, source), syntax.Name(base.name.split(".")[0]))
     for part in base.name.split(".")[1:]:
         value = members.attribute(walk, value, part, Frame(source, ""))
+    value = class_meant(value)
     return (value.source, value.definition) if isinstance(value, ClassValue) else None
 
 
@@ -142,7 +144,7 @@ def library_bases(
                 owner = python_class(walk, base, source)
                 name = base.name
                 if owner is None:
-                    value = expressions.evaluate(walk, Frame(source, ""), syntax.Name(name.split(".")[0]))
+                    value = class_meant(expressions.evaluate(walk, Frame(source, ""), syntax.Name(name.split(".")[0])))
                     name = ".".join((getattr(value, "name", name.split(".")[0]), *name.split(".")[1:]))
                     name = as_node(walk, name, source, definition)
             else:

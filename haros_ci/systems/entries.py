@@ -133,7 +133,7 @@ def nodelets(programs: Programs) -> dict[str, tuple[PluginClass, Entry, frozense
     found: dict[str, tuple[PluginClass, Entry, frozenset[str]]] = {}
     for described, source, definition, files in described_classes(programs):
         if described.base.replace(" ", "") == NODELET:
-            entry = Entry(source, definition=definition)
+            entry = Entry(source, definition=definition, arguments=_arguments(programs, described))
             found.setdefault(described.name, (described, entry, files))
             found.setdefault(described.type.strip().replace("::", "/"), (described, entry, files))
     return found

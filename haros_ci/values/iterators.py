@@ -134,9 +134,16 @@ def compared(symbol: str, left: Value, right: Value) -> Value | None:
 
 
 def not_none(value: Choice) -> Value:
-    """What has members, is called or is a type: of what may be a name of a library or None (``except ImportError: it = None``) the name."""
-    libraries = tuple(option for option in value.options if isinstance(option, (Library, ClassValue, Module)))
-    rest = tuple(option for option in value.options if option != NONE)
-    if not libraries or len(rest) == len(value.options):
+    """What has members, is called or is a type: of what may be a name of a library or stand for none the name.
+
+    ``except ImportError: it = None``, or ``it = object``, of which no member but those of all classes is used.
+    """
+    rest = tuple(option for option in value.options if option not in (NONE, Library("object")))
+    if len(rest) == len(value.options) or not any(isinstance(item, (Library, ClassValue, Module)) for item in rest):
         return value
     return rest[0] if len(rest) == 1 else Choice(rest)
+
+
+def class_meant(value: Value) -> Value:
+    """The class that a class is derived from, or one made of, where the name of it is bound again if an import fails."""
+    return not_none(value) if isinstance(value, Choice) else value

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import pytest
-from follow_kit import names, python
+from follow_kit import explicit, follow, names, node, python
 
 HEAD = """import argparse, sys
 p = argparse.ArgumentParser(description="d")
@@ -101,19 +101,25 @@ def test_words_that_roslaunch_adds_are_left_over(words: str, expected: list[str]
     assert names(python(PARTLY + "PUB(o.topic)\n", launch)) == expected
 
 
-@pytest.mark.parametrize(
-    ("before", "words"),
-    [
-        ('p.add_argument("where", nargs="?")\n', ""),
-        ('p.add_argument("where", nargs="*")\n', "a"),
-        ('p.add_argument("--only2", nargs="*")\n', "--only2 a"),
-        ('p.add_argument("needed")\n', ""),
-        ("p.allow_abbrev = other()\n", "$(env HOME_OF)"),
-    ],
+#: Another option, the words, what is read, and the name that is published.
+TAKEN = (
+    ('p.add_argument("where", nargs="?")\n', "", "o.where", "/?"),
+    ('p.add_argument("where", nargs="?")\n', "", "o.topic", "/a"),
+    ('p.add_argument("where", nargs="*")\n', "a", "o.where[0]", "/?"),
+    ('p.add_argument("where", nargs="*")\n', "a", "o.topic", "/a"),
+    ('p.add_argument("--only2", nargs="*")\n', "--only2 a", "o.only2[0]", "/?"),
+    ('p.add_argument("--only2", nargs="*")\n', "--only2 a", "o.topic", "/a"),
+    ('p.add_argument("needed")\n', "", "o.topic", "/?"),
+    ('p.add_argument("needed")\np.add_argument("more")\n', "", "o.needed", "/?"),
+    ("p.allow_abbrev = other()\n", "$(env HOME_OF)", "o.topic", "/?"),
 )
-def test_words_that_roslaunch_adds_may_be_an_option(before: str, words: str) -> None:
+
+
+@pytest.mark.parametrize(("before", "words", "read", "expected"), TAKEN)
+def test_words_that_roslaunch_adds_may_be_an_option(before: str, words: str, read: str, expected: str) -> None:
     launch = f'<launch><node pkg="p" type="n.py" name="n" args="{words}"/></launch>'
-    assert names(python(PARTLY.replace("o, rest", before + "o, rest") + "PUB(o.topic)\n", launch)) == ["/?"]
+    text = PARTLY.replace("o, rest", before + "o, rest") + f"PUB({read})\n"
+    assert names(python(text, launch)) == [expected]
 
 
 def test_a_program_alone_may_be_given_words() -> None:
@@ -136,3 +142,98 @@ def test_what_the_program_sets_itself_of_options_that_are_not_known(before: str,
     launch = '<launch><node pkg="p" type="n.py" name="n" args="$(env WORDS)"/></launch>'
     found = names(python(HEAD + f"mode = 'given'\n{before}PUB(o.topic)\n", launch))
     assert sorted(found) == expected
+
+
+SETUP = (
+    "from setuptools import setup\nsetup(name='p', packages=['p'], data_files=[('share/p/launch', ['launch/l.launch.py'])], "
+    "entry_points={'console_scripts': ['n = p.n:main']})\n"
+)
+MANIFEST = "<package format='3'><name>p</name><export><build_type>ament_python</build_type></export></package>"
+LAUNCH = (
+    "from launch import LaunchDescription\nfrom launch_ros.actions import Node\n"
+    "def generate_launch_description():\n"
+    "    return LaunchDescription([Node(package='p', executable='n', arguments=ARGS)])\n"
+)
+PROGRAM = """import argparse, sys
+import rclpy
+from rclpy.node import Node
+from rclpy.utilities import remove_ros_args
+from std_msgs.msg import String
+class Drone(Node):
+    def __init__(self, o):
+        super().__init__(f"drone{o.index}")
+        self.pub = self.create_publisher(String, f"/{o.where}{o.index}/{'loud' if o.loud else 'quiet'}", 10)
+def main(args=None):
+    p = argparse.ArgumentParser()
+    p.add_argument("-i", "--index", default="1", type=int, help="which")
+    p.add_argument("--near", default=[], nargs="+", type=int)
+    p.add_argument("--loud", default=False, action="store_true")
+    p.add_argument("--where", default="air")
+    DECLARED
+    o = READ
+    rclpy.init(args=args)
+    rclpy.spin(Drone(o))
+"""
+#: What launch adds is an option of the program.
+ROS_ARGS = 'p.add_argument("--ros-args", default=False, action="store_true")'
+
+
+def _ros2(declared: str, read: str, words: str) -> tuple[str, list[str]]:
+    files = {
+        "p/setup.py": SETUP,
+        "p/package.xml": MANIFEST,
+        "p/p/__init__.py": "",
+        "p/p/n.py": PROGRAM.replace("DECLARED", declared or "pass").replace("READ", read),
+        "p/launch/l.launch.py": LAUNCH.replace("ARGS", words),
+    }
+    found = node(follow(files, 2))
+    return found.name, [end.name for end in explicit(found)]
+
+
+KNOWN_BY_LAUNCH = (
+    (ROS_ARGS, "p.parse_args()", "['-i', '3']", "/drone3", "/air3/quiet"),
+    (ROS_ARGS, "p.parse_args()", "['-i', '3', '--near', '1', '2', '--loud']", "/drone3", "/air3/loud"),
+    (ROS_ARGS, "p.parse_args()", "[]", "/drone1", "/air1/quiet"),
+    (ROS_ARGS, "p.parse_args(args)", "['-i', str(4)]", "/drone4", "/air4/quiet"),
+    (ROS_ARGS, "p.parse_args(args=None)", "['-i3', '--where=sea']", "/drone3", "/sea3/quiet"),
+    (ROS_ARGS, "p.parse_args(sys.argv[1:])", "['-i', '3']", "/drone3", "/air3/quiet"),
+    ('p.add_argument("--ros-args", nargs=argparse.REMAINDER)', "p.parse_args()", "[]", "/drone1", "/air1/quiet"),
+    ("", "p.parse_known_args()[0]", "['-i', '3']", "/drone3", "/air3/quiet"),
+    ("", "p.parse_known_args(args)[0]", "['-i', '3']", "/drone3", "/air3/quiet"),
+    ("", "p.parse_known_args(sys.argv[1:])[0]", "['-i', '3']", "/drone3", "/air3/quiet"),
+    ("", "p.parse_args(remove_ros_args()[1:])", "['-i', '3']", "/drone3", "/air3/quiet"),
+    ("", "p.parse_args(remove_ros_args(args=args)[1:])", "['-i', '3']", "/drone3", "/air3/quiet"),
+    ("", "p.parse_args(remove_ros_args(sys.argv)[1:])", "['-i', '3', '--loud']", "/drone3", "/air3/loud"),
+)
+
+
+@pytest.mark.parametrize(("declared", "read", "words", "name", "topic"), KNOWN_BY_LAUNCH)
+def test_options_of_a_launch_file_of_ros2(declared: str, read: str, words: str, name: str, topic: str) -> None:
+    assert _ros2(declared, read, words) == (name, [topic])
+
+
+NOT_KNOWN_BY_LAUNCH = (
+    ("", "p.parse_args()", "['-i', '3']", "--ros-args ends the program"),
+    ("", "p.parse_args(sys.argv[1:])", "['-i', '3']", "so it does"),
+    ("", "p.parse_args(args)", "['-i', '3']", "so it does"),
+    (ROS_ARGS, "p.parse_args()", "['-i', 'three']", "no number"),
+    (ROS_ARGS, "p.parse_args()", "['--nothing']", "no such option"),
+    (ROS_ARGS, "p.parse_args()", "['-i', open('x').read()]", "not a known word"),
+    (ROS_ARGS, "p.parse_args(sys.argv[2:])", "['-i', '3']", "other words"),
+    (ROS_ARGS, "p.parse_args(sys.argv)", "['-i', '3']", "the name of the program is no option"),
+    (ROS_ARGS, "p.parse_args(other())", "['-i', '3']", "other words"),
+    (
+        ROS_ARGS + '\n    p.add_argument("-r", dest="index")',
+        "p.parse_args()",
+        "[]",
+        "what launch adds may be the index",
+    ),
+    (ROS_ARGS + '\n    p.add_argument("need")', "p.parse_args()", "[]", "it is ended"),
+    ('p.add_argument("--ros-args", action=Other)', "p.parse_args()", "[]", "an action of its own"),
+    ('p.add_argument("--ros-args", dest="index", nargs="*")', "p.parse_args()", "[]", "the index is another"),
+)
+
+
+@pytest.mark.parametrize(("declared", "read", "words", "why"), NOT_KNOWN_BY_LAUNCH)
+def test_options_of_ros2_that_are_not_known(declared: str, read: str, words: str, why: str) -> None:
+    assert _ros2(declared, read, words)[0] == "/drone?"

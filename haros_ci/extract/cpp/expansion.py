@@ -34,6 +34,7 @@ _PLAIN = kinds("identifier")
 _OPERATORS = frozenset(("new", "delete", "throw", "not", "sizeof", "co_await"))
 _CALLS = regex(r'"(?:[^"\\]|\\.)*"|\'(?:[^\'\\]|\\.)*\'|\b([A-Za-z_]\w*)\s*\(', re.DOTALL)
 _PARTS = regex(r'"(?:[^"\\]|\\.)*"|\'(?:[^\'\\]|\\.)*\'|[(){}\[\],]', re.DOTALL)
+_WORD = regex(r"\b[A-Za-z_]\w*")
 _TOKEN = regex(r'"(?:[^"\\]|\\.)*"|\'(?:[^\'\\]|\\.)*\'|##?\s*\w*|\w+', re.DOTALL)
 
 
@@ -93,12 +94,22 @@ def _text(unit: Unit, call: Node) -> str | None:
     unit.found.expansions += 1
     parameters, body = macro
     texts = [unit.text[child.start_byte : child.end_byte] for child in argument.children if child.is_named]
-    text = _substituted(body.encode().decode("latin-1"), parameters, texts)
+    values = _arguments(unit, texts, frozenset())
+    text = _substituted(body.encode().decode("latin-1"), parameters, texts, values)
     return None if text is None or len(text) > _LONGEST else _rescanned(unit, text, frozenset((unit.cut(function),)))
 
 
-def _rescanned(unit: Unit, text: str, within: frozenset[str]) -> str | None:
-    """*text* with the macros that stand in it as their bodies, but for those that it is *within* ([cpp.rescan]); None if it becomes too long."""
+def _arguments(unit: Unit, texts: list[str], within: frozenset[str]) -> list[str]:
+    """What a macro is given, with the macros that are written in it as their bodies: so it counts but for ``#`` and ``##`` ([cpp.subst])."""
+    deeper = within | {f"({len(within)}"}
+    return [(_rescanned(unit, text, deeper, is_written=True) or text) if "(" in text else text for text in texts]
+
+
+def _rescanned(unit: Unit, text: str, within: frozenset[str], is_written: bool = False) -> str | None:
+    """*text* with the macros that stand in it as their bodies, but for those that it is *within* ([cpp.rescan]); None if it becomes too long.
+
+    A text that is not as it is written may stand for what a macro without parameters is, and is made no text of.
+    """
     pieces, done = [], 0
     for match in _CALLS.finditer(text):
         macro = unit.found.callable_macros.get(match[1]) if match[1] and match[1] not in within else None
@@ -108,7 +119,12 @@ def _rescanned(unit: Unit, text: str, within: frozenset[str]) -> str | None:
             return None
         unit.found.expansions += 1
         texts, end = _given(text, match.end())
-        inside = _substituted(macro[1].encode().decode("latin-1"), macro[0], texts) if end else None
+        if end and not is_written and _is_expanded_first(unit, macro, texts):
+            pieces += [text[done : match.start()], f"{match[1]}<>(", text[match.end() : end]]
+            done = end
+            continue
+        values = _arguments(unit, texts, within) if is_written else texts
+        inside = _substituted(macro[1].encode().decode("latin-1"), macro[0], texts, values) if end else None
         inside = _rescanned(unit, inside, within | {match[1]}) if inside is not None else None
         if inside is None:
             return None
@@ -116,6 +132,16 @@ def _rescanned(unit: Unit, text: str, within: frozenset[str]) -> str | None:
         done = end
     found = "".join([*pieces, text[done:]])
     return found if len(found) <= _LONGEST else None
+
+
+def _is_expanded_first(unit: Unit, macro: tuple[tuple[str, ...], str], texts: list[str]) -> bool:
+    """Whether a macro inside of another makes a text of what may be a macro itself, which counts as what it stands for ([cpp.subst])."""
+    words = {part[1:].strip() for part in _TOKEN.findall(macro[1]) if part[0] == "#" and part[:2] != "##"}
+    made = [text for parameter, text in zip(macro[0], texts, strict=False) if parameter in words]
+    names = {name for text in made for name in _WORD.findall(text)}
+    return any(name == name.upper() for name in names) or any(
+        name in names and parameters is None for name, parameters, _ in unit.found.macros
+    )
 
 
 def _given(text: str, start: int) -> tuple[list[str], int]:
@@ -135,12 +161,14 @@ def _given(text: str, start: int) -> tuple[list[str], int]:
     return found, 0
 
 
-def _substituted(body: str, parameters: tuple[str, ...], texts: list[str]) -> str | None:
-    if sum(map(len, texts)) > _LONGEST:
+def _substituted(body: str, parameters: tuple[str, ...], texts: list[str], expanded: list[str]) -> str | None:
+    """*body* with what the parameters are given: *texts* beside ``#`` and ``##``, *expanded* elsewhere."""
+    if sum(map(len, texts)) > _LONGEST or sum(map(len, expanded)) > _LONGEST:
         return None
-    values = dict(zip(parameters, texts, strict=False))
+    raw, values = (dict(zip(parameters, given, strict=False)) for given in (texts, expanded))
     if parameters and parameters[-1] in ("...", "__VA_ARGS__"):
-        values["__VA_ARGS__"] = ", ".join(texts[len(parameters) - 1 :])
+        for given, of in ((texts, raw), (expanded, values)):
+            of["__VA_ARGS__"] = ", ".join(given[len(parameters) - 1 :])
     elif len(parameters) != len(texts):
         return None
 
@@ -148,9 +176,9 @@ def _substituted(body: str, parameters: tuple[str, ...], texts: list[str]) -> st
         word = match.group()
         if word.startswith("##"):
             rest = word[2:].strip()
-            return "\0" + values.get(rest, rest)
+            return "\0" + raw.get(rest, rest)
         if word.startswith("#"):
-            value = values.get(word[1:].strip(), "")
+            value = raw.get(word[1:].strip(), "")
             return '"' + value.replace("\\", "\\\\").replace('"', '\\"') + '"'
         return values.get(word, word)
 

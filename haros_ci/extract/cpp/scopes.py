@@ -204,7 +204,7 @@ def _macro(unit: Unit, node: Node, scope: CppScope, depth: int) -> None:
     if listed is not None:
         inside = _CONTINUATION.sub(" ", unit.cut(listed))[1:-1].strip()
         parameters = tuple(part.strip() for part in inside.split(",")) if inside else ()
-        if "(" in body:
+        if "(" in body or "#" in body:
             unit.found.callable_macros[unit.cut(named)] = (parameters, body)
     if scope.guards:
         unit.found.guarded.add(unit.cut(named))

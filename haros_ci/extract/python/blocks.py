@@ -46,11 +46,12 @@ def bound_again(node: Tried, scope: PythonScope) -> Block:
     if scope.kind != "module" or not any(isinstance(one, (ast.Import, ast.ImportFrom)) for one in node.body):
         return ()
     names = {
-        target.id
+        name.id
         for handler in node.handlers
         for one in handler.body
         for target in (one.targets if isinstance(one, ast.Assign) else ())
-        if isinstance(target, ast.Name)
+        for name in (target.elts if isinstance(target, (ast.Tuple, ast.List)) else (target,))
+        if isinstance(name, ast.Name)
     }
     found = [pair for one in node.body if isinstance(one, (ast.Import, ast.ImportFrom)) for pair in imported(one)]
     return tuple([syntax.Import(name, target) for name, target in found if name in names])

@@ -6,11 +6,12 @@ The words are read by argparse itself, from a parser with the same options; noth
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any, NoReturn
+from typing import TYPE_CHECKING
 
 from haros_ci.follow import comprehensions, slices
 from haros_ci.follow.frames import Frame
+from haros_ci.follow.libraries import argparse_words, ros_words
+from haros_ci.follow.libraries.argparse_words import COMMANDS, DECLARED, DEEP, DEFAULTS, MOST, NAMES, OPTION, UNREADABLE
 from haros_ci.follow.walk import Walk
 from haros_ci.values.abstract import (
     NONE,
@@ -18,7 +19,6 @@ from haros_ci.values.abstract import (
     Cell,
     Elements,
     Known,
-    Library,
     Mapped,
     Object,
     Opaque,
@@ -28,15 +28,11 @@ from haros_ci.values.abstract import (
 )
 
 if TYPE_CHECKING:
-    from argparse import ArgumentParser, _SubParsersAction
-
     from haros_ci.follow.call_arguments import PassedArgument
 
-PARSER, COMMANDS = "argparse.ArgumentParser", "argparse._SubParsersAction"
-#: The member of a parser that holds its options, and what they are kept as.
-DECLARED, OPTION = "[options]", "[option]"
-#: Members of a parser that hold its defaults, and its names as a command; of options why they are not known.
-DEFAULTS, NAMES, UNREAD = "[defaults]", "[names]", "[unread]"
+PARSER = "argparse.ArgumentParser"
+#: A member of options: why they are not known.
+UNREAD = "[unread]"
 #: What one of several commands calls, and the member that has its function.
 CHOSEN, FUNCTION = "[chosen]", "[function]"
 #: Why options are not known.
@@ -46,11 +42,6 @@ PLAIN = frozenset(("", "prog", "usage", "description", "epilog", "formatter_clas
 GROUPS = frozenset(("add_argument_group", "add_mutually_exclusive_group"))
 #: Arguments of ``add_subparsers`` that change nothing of how words are read but the name of their result.
 OF_COMMANDS = frozenset(("title", "dest", "required", "help", "description", "metavar", "prog"))
-ACTIONS = frozenset(("store", "store_true", "store_false", "store_const", "append", "count"))
-TYPES: dict[str, type[int | float | str]] = {"int": int, "float": float, "str": str}
-#: Words on one command line, options of one parser, and positional ones of these that take a number of words that is not
-#: fixed, and commands in commands: argparse matches with expressions that try each way to share the words among them.
-MOST, OPEN, DEEP = 64, 3, 4
 
 
 def parser(args: tuple[PassedArgument, ...]) -> Object:
@@ -112,7 +103,12 @@ def _declared(walk: Walk, declared: Sequence, name: str, args: tuple[PassedArgum
 
 def _options(walk: Walk, frame: Frame, this: Object, args: tuple[PassedArgument, ...], is_partly: bool) -> Value:
     """What ``parse_args`` gives, and with it what is left over if *is_partly*."""
-    found = _parsed(this, args, is_partly) if args or not is_partly else _launched(walk, frame, this)
+    own = walk.context.own_words() if not args or args[0].value == NONE else ros_words.launched(_words(args[0].value))
+    is_given = len(args) == 1 and args[0].keyword in ("", "args")
+    if own is not None and (is_given or not args):
+        found = _launched(walk, frame, this, own, is_partly)
+    else:
+        found = _parsed(this, args, is_partly)
     if found is not None:
         return found
     options = _unread(walk, frame, this)
@@ -155,40 +151,18 @@ def _unread(walk: Walk, frame: Frame, this: Object) -> Object:
 
 def _functions(this: Object, names: tuple[str, ...], found: dict[str, list[Cell]], depth: int) -> None:
     """Collect the functions among the defaults of a parser and those of its commands, with the names of these."""
-    for key, cell in _defaults(this).items():
+    for key, cell in argparse_words.defaults(this).items():
         ways = found.setdefault(key, []) if isinstance(cell.value, Callable) else None
         if ways is not None and len(ways) < MOST:
             ways.append(Cell(Object(CHOSEN, fields={NAMES: Cell(Known(list(names))), FUNCTION: cell})))
-    for option in _elements(this) if depth < DEEP else ():
-        for command in _elements(option) if option.name == COMMANDS else ():
-            called = _names(command)
+    for option in argparse_words.elements(this) if depth < DEEP else ():
+        for command in argparse_words.elements(option) if option.name == COMMANDS else ():
+            called = argparse_words.names(command)
             _functions(command, (*names, called[0] if called else "?"), found, depth + 1)
 
 
-def _elements(this: Object) -> list[Object]:
-    """The options of a parser, or the parsers of its commands, as far as they are known."""
-    held = this.fields[DECLARED].value if DECLARED in this.fields else None
-    cells = held.content.value if isinstance(held, Sequence) else ()
-    return [cell.value for cell in cells if isinstance(cell.value, Object)] if isinstance(cells, tuple) else []
-
-
-def _defaults(this: Object) -> dict[str, Cell]:
-    held = this.fields[DEFAULTS].value
-    pairs = held.content.value if isinstance(held, Mapped) else None
-    return {str(key): cell for key, cell in pairs.items()} if isinstance(pairs, dict) else {}
-
-
-def _names(this: Object) -> list[str]:
-    """The name of a command's parser and its other names; empty if they are not known."""
-    held = this.fields[NAMES].value
-    return [str(item) for item in held.of(list)] if isinstance(held, Known) else []
-
-
 def _parsed(this: Object, args: tuple[PassedArgument, ...], is_partly: bool) -> Value | None:
-    """The options as an object; None if the words, or what they mean, are not known.
-
-    Without words they are ``sys.argv``, to which roslaunch adds some that no program declares.
-    """
+    """The options as an object; None if the words, or what they mean, are not known."""
     is_given = len(args) == 1 and args[0].keyword in ("", "args")
     items = _words(args[0].value) if is_given else None
     if items is None or len(items) > MOST:
@@ -197,29 +171,58 @@ def _parsed(this: Object, args: tuple[PassedArgument, ...], is_partly: bool) -> 
     if len(words) < len(items):
         return None
     try:
-        space, rest, kept = _read(this, words)
-    except (ValueError, TypeError, KeyError, IndexError, AttributeError):
+        space, rest, kept = argparse_words.read(this, words)
+    except (argparse_words.Ended, *UNREADABLE):
         return None
     if rest and not is_partly:
         return None
-    made = Object("argparse.Namespace", fields={key: Cell(_value(data, kept)) for key, data in space.items()})
+    made = Object(
+        "argparse.Namespace", fields={key: Cell(argparse_words.value_of(data, kept)) for key, data in space.items()}
+    )
     if not is_partly:
         return made
-    return Sequence(Cell((Cell(made), Cell(_value(rest, kept)))))
+    return Sequence(Cell((Cell(made), Cell(argparse_words.value_of(rest, kept)))))
 
 
-def _launched(walk: Walk, frame: Frame, this: Object) -> Value | None:
-    """``parse_known_args()`` of a program that a launch file starts: what launch adds to its words is left over. None if that is not certain."""
-    try:
-        read = [_read(this, words) for words in walk.context.lines()]
-    except (ValueError, TypeError, KeyError, IndexError, AttributeError):
+def _launched(walk: Walk, frame: Frame, this: Object, words: list[str], is_partly: bool) -> Value | None:
+    """The options of a program that a launch file starts with these words and some that are added: what they are with all that it is not ended by.
+
+    None if it is ended by all of them, or is without them, or if that is not known. What is not the same with all is not known.
+    """
+    read: list[tuple[dict[str, object], dict[int, Value]]] = []
+    for more in walk.context.added():
+        try:
+            space, rest, kept = argparse_words.read(this, [*words, *more])
+        except UNREADABLE:
+            return None
+        except argparse_words.Ended:
+            rest, is_ended = [], True
+        else:
+            is_ended = bool(rest) and not is_partly
+        if not is_ended:
+            read.append((space, kept))
+        elif not more:
+            return None
+    if len(read) < 2 or len(words) > MOST:
         return None
-    known = [{key: data for key, data in space.items() if id(data) not in kept} for space, _, kept in read]
-    if not read or known != known[:1] * len(known):
-        return None
-    space, _, kept = read[0]
-    made = Object("argparse.Namespace", fields={key: Cell(_value(data, kept)) for key, data in space.items()})
-    return Sequence(Cell((Cell(made), Cell(walk.opaque("the words that are left over are not known", frame)))))
+    fields = {
+        key: Cell(_alike([argparse_words.value_of(space[key], kept) for space, kept in read], walk, frame))
+        for key in read[0][0]
+    }
+    made = Object("argparse.Namespace", fields=fields)
+    left = walk.opaque("the words that are left over are not known", frame)
+    return Sequence(Cell((Cell(made), Cell(left)))) if is_partly else made
+
+
+def _alike(values: list[Value], walk: Walk, frame: Frame) -> Value:
+    """The one value that all of *values* are."""
+    first, *others = values
+    known = data_of(first)
+    if known[0]:
+        is_same = all(data_of(other) == known for other in others)
+    else:
+        is_same = all(other is first for other in others)
+    return first if is_same else walk.opaque(UNKNOWN, frame)
 
 
 def _words(value: Value) -> list[Value] | None:
@@ -227,101 +230,3 @@ def _words(value: Value) -> list[Value] | None:
     if isinstance(content, Opaque) and content.reason == slices.NOTHING:
         return []
     return comprehensions.items(value)
-
-
-def _read(this: Object, words: list[str]) -> tuple[dict[str, object], list[str], dict[int, Value]]:
-    """What argparse makes of *words*: values by name, words left over, and defaults that are not data by their stand-in."""
-    import argparse
-
-    class Reader(argparse.ArgumentParser):
-        def error(self, message: str) -> NoReturn:
-            raise ValueError(message)
-
-    reader = Reader(add_help=False, conflict_handler="resolve")
-    kept: dict[int, Value] = {}
-    _fill(reader, this, kept, [MOST, OPEN], 0)
-    space, rest = reader.parse_known_args(words)
-    for key, data in list(vars(space).items()):
-        if id(data) not in kept and not isinstance(data, (str, int, float, bool, list, type(None))):
-            raise ValueError(f"{key} is no data")
-    return vars(space), rest, kept
-
-
-def _fill(reader: ArgumentParser, this: Object, kept: dict[int, Value], left: list[int], depth: int) -> None:
-    """Give *reader* the options, commands and defaults of a parser; *left* are how many options it may still have, and of them open ones."""
-    held = this.fields[DECLARED].value
-    if not isinstance(held, Sequence) or not isinstance(held.content.value, tuple) or depth > DEEP:
-        raise ValueError("the options are not known")
-    for option in _elements(this):
-        if option.name == COMMANDS:
-            asked = {key: _data(option.fields[key].value) for key in ("dest", "required") if key in option.fields}
-            commands: _SubParsersAction[ArgumentParser]
-            commands = reader.add_subparsers(**asked)  # type: ignore[call-overload]  # argparse looks at them itself
-            for command in _elements(option):
-                name, *others = _names(command)
-                inner = commands.add_parser(name, aliases=others, add_help=False, conflict_handler="resolve")
-                _fill(inner, command, kept, left, depth + 1)
-        else:
-            _declare(reader, option.fields, kept, left)
-    reader.set_defaults(**{key: _kept(cell.value, kept) for key, cell in _defaults(this).items()})
-
-
-def _declare(reader: ArgumentParser, members: Mapping[str, Cell], kept: dict[int, Value], left: list[int]) -> None:
-    """Give *reader* an option, as *members* have it."""
-    provided = {key: member.value for key, member in members.items() if not key.isdigit()}
-    flags = [_text(members[key].value) for key in members if key.isdigit()]
-    action = _data(provided["action"]) if "action" in provided else "store"
-    if action in ("help", "version"):
-        return
-    if action not in ACTIONS:
-        raise ValueError("an action of its own")
-    requested: dict[str, Any] = {"action": action}
-    requested |= {key: _data(provided[key]) for key in ("dest", "nargs", "const", "required") if key in provided}
-    _count(requested.get("nargs"), flags, left)
-    if "type" in provided:
-        kind = provided["type"]
-        requested["type"] = TYPES[kind.name if isinstance(kind, Library) else ""]
-    if "default" in provided:
-        requested["default"] = _kept(provided["default"], kept)
-    reader.add_argument(*flags, **requested)
-
-
-def _count(count: object, flags: list[str], left: list[int]) -> None:
-    """Count an option that takes *count* words, which are bounded."""
-    if isinstance(count, int) and not 0 < count <= MOST:
-        raise ValueError("a number of words that no command line has")
-    left[0] -= 1
-    left[1] -= isinstance(count, str) and not flags[0].startswith("-")
-    if min(left) < 0:
-        raise ValueError("too many options, or ways to share the words")
-
-
-def _kept(value: Value, kept: dict[int, Value]) -> object:
-    """A default as data, or what stands for it among those that are *kept*."""
-    known, data = data_of(value)
-    if not known:
-        data = object()
-        kept[id(data)] = value
-    return data
-
-
-def _data(value: Value) -> object:
-    known, data = data_of(value)
-    if not known:
-        raise ValueError("not known")
-    return data
-
-
-def _text(value: Value) -> str:
-    data = _data(value)
-    if not isinstance(data, str):
-        raise ValueError("not a text")
-    return data
-
-
-def _value(data: object, kept: dict[int, Value]) -> Value:
-    if id(data) in kept:
-        return kept[id(data)]
-    if isinstance(data, list):
-        return Sequence(Cell(tuple(Cell(_value(item, kept)) for item in data)))
-    return Known(data)

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from itertools import islice
 from typing import TYPE_CHECKING
 
@@ -126,13 +126,17 @@ def _overridden(walk: Walk, this: Object) -> Iterator[tuple[Callable, str]]:
     source, definition = this.definition
     if not definition.bases:
         return
-    key = ("called elsewhere", id(definition))
+    templates = this.templates if definition.templates else methods.NOTHING
+    key = ("called elsewhere", id(definition), walk.numbered(templates) if templates else 0)
     if key not in walk.found:
-        walk.found[key] = (_callable if source.separator == "::" else _callable_python)(walk, source, definition)
-    for last in walk.found[key]:
+        bases = _calling_bases(walk, source, definition, templates)
+        called = _callable if source.separator == "::" else _callable_python
+        walk.found[key] = called(walk, source, definition, bases), bases
+    names, bases = walk.found[key]
+    for last in names:
         found = methods.method_of(walk, this, last)
         if found is not None and walk.relevance.makes(found.function, found.source):
-            yield found, _calling_bases(walk, source, definition)[0]
+            yield found, bases[0]
 
 
 def started(walk: Walk, name: str, this: Object) -> None:
@@ -159,15 +163,16 @@ def is_known(base: str) -> bool:
     return first in KNOWN or first.startswith(_BEGINNINGS) or is_of_qt
 
 
-def _calling_bases(walk: Walk, source: Source, definition: syntax.Class) -> list[str]:
+def _calling_bases(
+    walk: Walk, source: Source, definition: syntax.Class, templates: Mapping[str, syntax.Argument]
+) -> list[str]:
     """The base classes that the workspace does not have, without those of which it is known that they call nothing."""
-    bases = methods.library_bases(walk, source, definition)
+    bases = methods.library_bases(walk, source, definition, templates=templates)
     return [base for base in bases if base.replace("::", ".").partition(".")[0] not in _BESIDE]
 
 
-def _callable(walk: Walk, source: Source, definition: syntax.Class) -> list[str]:
+def _callable(walk: Walk, source: Source, definition: syntax.Class, bases: list[str]) -> list[str]:
     """The last parts of the names of the methods that a library may call of a class's objects, in their order."""
-    bases = _calling_bases(walk, source, definition)
     if not bases or any(base in walk.rows or is_known(base) for base in bases):
         return []
     names: dict[str, None] = {}
@@ -183,9 +188,8 @@ def _callable(walk: Walk, source: Source, definition: syntax.Class) -> list[str]
     return list(names)
 
 
-def _callable_python(walk: Walk, source: Source, definition: syntax.Class) -> list[str]:
+def _callable_python(walk: Walk, source: Source, definition: syntax.Class, bases: list[str]) -> list[str]:
     """The same for Python, where nothing says what is overridden: the methods that no method of the class calls."""
-    bases = _calling_bases(walk, source, definition)
     firsts = {base.partition(".")[0] for base in bases}
     if not bases or firsts & KNOWN_PYTHON or any(base in walk.rows or is_known(base) for base in bases):
         return []

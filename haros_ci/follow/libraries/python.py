@@ -12,6 +12,7 @@ from haros_ci.follow.libraries import (
     argparse as command_lines,
 )
 from haros_ci.follow.libraries import (
+    argparse_words,
     attribute_names,
     formats,
     made_classes,
@@ -52,6 +53,8 @@ if TYPE_CHECKING:
 DICTS = frozenset(("dict", "[dict]", "collections.OrderedDict"))
 #: What gives back its second argument (docs.python.org/3/library/typing.html#typing.cast).
 CASTS = frozenset(("typing.cast", "typing_extensions.cast"))
+#: Numbers in a row; ``xrange`` of Python 2 goes through the same (docs.python.org/2/library/functions.html#xrange).
+RANGES = frozenset(("range", "xrange", "six.moves.range", "six.moves.xrange", "past.builtins.xrange"))
 YAML = frozenset(("yaml.load", "yaml.safe_load", "yaml.full_load"))
 
 
@@ -76,7 +79,7 @@ def function(walk: Walk, frame: Frame, name: str, args: tuple[PassedArgument, ..
         if isinstance(first, Sequence) and isinstance(first.content.value, tuple):
             return Known(len(first.content.value))
         return walk.opaque("the length of what is not known", frame, None, syntax.Type("int"))
-    if name == "range":
+    if name in RANGES:
         bounds = [a.value.value for a in args if isinstance(a.value, Known) and isinstance(a.value.value, int)]
         if args and len(bounds) == len(args):
             try:
@@ -159,7 +162,7 @@ def function(walk: Walk, frame: Frame, name: str, args: tuple[PassedArgument, ..
     if name in ("rospy.myargv", "sys.argv") and walk.context.arguments is not None:
         return argv(walk, frame, name == "rospy.myargv")
     if name == ros_words.REMOVE:
-        return ros_words.removed(first if args else argv(walk, frame))
+        return ros_words.removed(argv(walk, frame) if first in (None, NONE) else first)
     if name in dynamic.IMPORTS:
         return dynamic.module(walk, frame, name, args)
     if name in dynamic.CLASSES:
@@ -198,11 +201,6 @@ def _own_attribute(walk: Walk, frame: Frame, this: Value, name: Value) -> Value 
     return found
 
 
-#: Words that come behind those of the launch file (launch_ros/actions/node.py has ``--ros-args`` in each command).
-_ADDED = ("roslaunch", ("__name:=", "__log:="))
-_ADDED_BY_LAUNCH = ("launch", ("--ros-args", "-r"))
-
-
 def argv(walk: Walk, frame: Frame, is_own: bool = False) -> Value:
     """The command line of the launch file, with words that a launch adds (wiki.ros.org/roslaunch/XML/node); else that of a node without words.
 
@@ -217,8 +215,7 @@ def argv(walk: Walk, frame: Frame, is_own: bool = False) -> Value:
     if is_own:
         words = [word for word in words if not (isinstance(word, Known) and ":=" in word.of(str))]
     elif is_launched:
-        program, added = _ADDED if context.process is None else _ADDED_BY_LAUNCH
-        words += [Opaque(ros_words.ADDED.format(word, program), None, syntax.Type("str")) for word in added]
+        words += ros_words.BY_ROSLAUNCH if context.process is None else ros_words.BY_LAUNCH
     return Sequence(Cell(tuple(Cell(word) for word in words)))
 
 
@@ -283,7 +280,7 @@ def method(walk: Walk, frame: Frame, receiver: Value, name: str, args: tuple[Pas
         return Sequence(Cell(tuple(Cell(subclass) for subclass in dispatch.subclasses(walk, receiver))))
     if isinstance(receiver, Object) and receiver.name == command_lines.PARSER:
         return command_lines.method(walk, frame, receiver, name, args)
-    if isinstance(receiver, Object) and receiver.name == command_lines.COMMANDS:
+    if isinstance(receiver, Object) and receiver.name == argparse_words.COMMANDS:
         return command_lines.added(walk, receiver, name, args)
     if isinstance(receiver, Object) and receiver.name == "rospkg.RosPack" and name == "get_path":
         return Known(f"$(find {args[0].value.value})") if args and isinstance(args[0].value, Known) else None

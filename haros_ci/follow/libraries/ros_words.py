@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from haros_ci import syntax
 from haros_ci.follow import comprehensions
 from haros_ci.values.abstract import Cell, Known, Opaque, Sequence, Value
 
@@ -12,6 +13,14 @@ REMOVE = "rclpy.utilities.remove_ros_args"
 ADDED = "it is {}, which {} gives"
 _BEGIN, _END = "--ros-args", "--"
 _BEGIN_ADDED = ADDED.format(_BEGIN, "launch")
+
+
+def _added(program: str, *words: str) -> tuple[Opaque, ...]:
+    return tuple(Opaque(ADDED.format(word, program), None, syntax.Type("str")) for word in words)
+
+
+#: Words that come behind those of the launch file (launch_ros/actions/node.py has ``--ros-args`` in each command).
+BY_ROSLAUNCH, BY_LAUNCH = _added("roslaunch", "__name:=", "__log:="), _added("launch", _BEGIN, "-r")
 
 
 def removed(words: Value | None) -> Value | None:
@@ -30,3 +39,10 @@ def removed(words: Value | None) -> Value | None:
         elif not is_of_ros:
             kept.append(item)
     return Sequence(Cell(tuple(map(Cell, kept))))
+
+
+def launched(items: list[Value] | None) -> list[str] | None:
+    """The words of a launch file of a list that goes on with those that it adds; None if it is no such list, or not known."""
+    own, end = (items[:-2], tuple(items[-2:])) if items else ([], ())
+    words = [item.of(str) for item in own if isinstance(item, Known) and issubclass(item.kind, str)]
+    return words if end in (BY_ROSLAUNCH, BY_LAUNCH) and len(words) == len(own) else None
