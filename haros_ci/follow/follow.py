@@ -62,6 +62,8 @@ class Entry:
     label: str = ""
     #: ``package/name`` of the target, where several compile the same file with other macros.
     target: str = ""
+    #: What the template parameters of the class stand for, in their order.
+    arguments: tuple[syntax.Argument, ...] = ()
 
     @property
     def key(self) -> tuple[str, str, str]:
@@ -99,7 +101,7 @@ def _start(walk: Walk, frame: Frame, entry: Entry) -> None:
         owner = (entry.source, entry.definition)
         args: tuple[call_arguments.PassedArgument, ...] = _component_arguments(walk, entry)
         place = Location(entry.source.path, entry.definition.line)
-        made = construct.instance(walk, frame, owner, (), args, place)
+        made = construct.instance(walk, frame, owner, entry.arguments, args, place)
         if args:
             outside_nodes.spun(walk, (call_arguments.PassedArgument(made),), place)
         first = _entries(walk) if walk.context.process is None else []
