@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from haros_ci.follow import beside, call_arguments, methods, partials, qt, setters
+from haros_ci.follow import beside, call_arguments, methods, overriding, partials, qt, setters
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import objects as library_objects
 from haros_ci.follow.made import SEVERAL, Root, counts_alone, either
@@ -60,6 +60,7 @@ def register(
             if isinstance(inner, Object) and inner.definition is not None:
                 value = Callable(value.source, function, inner, value.bound, value.frame, inner.templates)
                 break
+    value = overriding.final(walk, value)
     key = (
         id(value.function),
         value.this,

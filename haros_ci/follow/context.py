@@ -80,6 +80,8 @@ class Context:
     #: The process that a nodelet is loaded into; the node itself otherwise.
     process_name: str = ""
     process_namespace: str = "/"
+    #: Whether the remappings are those of the process; a nodelet's are its own, and not those of its manager.
+    remaps_process: bool = field(default=True, kw_only=True)
     #: What a ROS 2 process is given; None in ROS 1.
     process: Process | None = None
     #: What of it stands in what is made by a mark.

@@ -62,7 +62,7 @@ class Entry:
     label: str = ""
     #: ``package/name`` of the target, where several compile the same file with other macros.
     target: str = ""
-    #: The arguments of the template that the class is one of.
+    #: What the template parameters of the class stand for, in their order.
     arguments: tuple[syntax.Argument, ...] = ()
 
     @property

@@ -31,7 +31,25 @@ def handle(applied: selectors.Applied, entry: Entry) -> Value:
     text = selectors.value_at(applied, entry.values["namespace"]) if "namespace" in entry.values else Known("")
     if text is None or text == Known("") or text == NONE:
         return parent
-    return below(applied, parent, text, own)
+    if "parent" in entry.values and pattern(text)[0].startswith("~"):
+        return applied.walk.opaque("roscpp throws at a private name below a node handle", applied.frame)
+    return _remapped(applied, below(applied, parent, text, own), own)
+
+
+def _remapped(applied: selectors.Applied, space: Value, own: str) -> Value:
+    """What roscpp remaps the namespace of a handle to where it is constructed (``NodeHandle::construct``), by its whole name alone.
+
+    It does so again with each copy. A remapping of the node's own name counts or not by how it is written (``names::init``).
+    """
+    context = applied.walk.context
+    if not isinstance(space, Known) or applied.row.call != "ros::NodeHandle" or not context.remaps_process:
+        return space
+    name = context.remap(space.of(str))
+    if name == space.of(str):
+        return space
+    if space.of(str) == own or context.remap(name) != name:
+        return applied.walk.opaque("what the namespace of the handle is remapped to", applied.frame)
+    return context.marks.known(name)
 
 
 def below(applied: selectors.Applied, parent: Value, text: Value, node: str) -> Value:

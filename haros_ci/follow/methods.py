@@ -219,14 +219,32 @@ def _cpp_methods(walk: Walk, source: Source, definition: Class, name: str) -> li
     key = ("methods", definition.name, name, source.path)
     if key not in walk.found:
         candidates = walk.index.near(walk.index.functions, f"{definition.name}::{name}", source, walk.files)
+        candidates = _of_this(walk, source, definition, candidates)
         if not any(function.body is not None for _, function in candidates):
-            candidates = [*overloads.nearest(walk, _loose(walk, definition.name, name), source), *candidates]
+            loose = _of_this(walk, source, definition, _loose(walk, definition.name, name))
+            candidates = [*overloads.nearest(walk, loose, source), *candidates]
         walk.found[key] = _of_branches(walk, candidates)
     found: tuple[list[Found], Location | None] = walk.found[key]
     if found[1] is not None:
         message = f"{definition.name}::{name} is defined in two branches of an #if, and only one of them is followed"
         walk.gaps.setdefault(message, found[1])
     return found[0]
+
+
+def _of_this(walk: Walk, source: Source, definition: Class, candidates: list[Found]) -> list[Found]:
+    """Those of *candidates* that are not seen to be of another class of that name, which stands in their file or in what it includes."""
+    known = walk.index.classes.get(definition.name, ())
+    others = {where.path for where, other in known if where.path != source.path and (other.fields or other.bases)}
+    if not others:
+        return candidates
+    return [
+        item
+        for item in candidates
+        if item[0].path == source.path
+        or (reach := walk.index.reach(item[0].path))
+        and source.path in reach
+        or (item[0].path not in others and others.isdisjoint(reach))
+    ]
 
 
 def _of_branches(walk: Walk, candidates: list[Found]) -> tuple[list[Found], Location | None]:

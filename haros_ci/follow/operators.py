@@ -8,7 +8,7 @@ from collections.abc import Callable as Function_
 from dataclasses import replace
 
 from haros_ci import syntax
-from haros_ci.follow import activation, call_arguments, conversions, expressions, methods
+from haros_ci.follow import activation, call_arguments, conversions, expressions, methods, overriding
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import formats, python_kinds, python_lists, python_numbers, texts
 from haros_ci.follow.walk import Walk
@@ -84,7 +84,7 @@ def _bound(walk: Walk, frame: Frame, left: Value, right: Value) -> Value:
     """``a.*m``, ``a->*m``: the method that *m* points to, of the object *a*."""
     this = left.cell.value if isinstance(left, Pointer) else left
     if isinstance(right, Callable) and isinstance(this, Object) and right.function.owner:
-        return replace(right, this=this, templates=this.templates)
+        return overriding.final(walk, replace(right, this=this, templates=this.templates))
     return walk.opaque("it is a member that a pointer tells", frame)
 
 

@@ -139,10 +139,12 @@ def resolve_type(  # noqa: C901 - the order of the rules of name lookup
                 continue
             around = candidate.rpartition("::")[0]
             bindings: Mapping[str, Argument] = dict(zip(alias.templates, resolved, strict=False))
+            own = resolved
             if not alias.templates and (owners := index.classes.get(around)) and owners[0][1].templates:
                 of_class = dict(zip(owners[0][1].templates, resolved, strict=False))
-                bindings = of_class if colons else templates
-            targets.append(resolve_type(index, alias.type, around, where, files, bindings, depth + 1))
+                bindings, own = of_class if colons else templates, ()
+            target = resolve_type(index, alias.type, around, where, files, bindings, depth + 1)
+            targets.append(_with_arguments(target, alias, own))
         if targets:
             target = targets[0]
             if any(plain(pointee(other)) != plain(pointee(target)) for other in targets):
@@ -172,7 +174,7 @@ def resolve_type(  # noqa: C901 - the order of the rules of name lookup
         if local is not None:
             around = local.name.rpartition("::")[0].rpartition("::")[0]
             target = resolve_type(index, local.type, around, source, files, templates, depth + 1)
-            return target.marked(marks)
+            return _with_arguments(target, local, resolved).marked(marks)
         if not colons:
             found = _by_include(index, name, source, scope)
             if hidden is not None and found == name:
@@ -192,6 +194,14 @@ def resolve_type(  # noqa: C901 - the order of the rules of name lookup
             name, resolved = _TYPEDEFS[name]
         return _pointer(name, resolved, marks)
     return hidden or syntax.Type(name, resolved, marks)
+
+
+def _with_arguments(target: Type, alias: syntax.Alias, arguments: tuple[Argument, ...]) -> Type:
+    """*target* of an *alias* with the *arguments* that its name is given: a using-declaration brings the template itself ([namespace.udecl])."""
+    is_brought = alias.name.rpartition("::")[2] == alias.type.name.rpartition("::")[2] and not alias.templates
+    if not is_brought or alias.type.arguments or target.arguments:
+        return target
+    return syntax.Type(target.name, arguments, target.marks)
 
 
 def _foreign(index: Index, source: Source) -> bool:

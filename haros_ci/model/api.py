@@ -10,8 +10,8 @@ A row is a mapping, the same in Python tables and in YAML (docs/adding-an-api.md
 ``call`` is the qualified name of a function, method (``Class::method``) or, for a constructor, class; Python's is
 dotted (``rospy.Publisher``). Of several rows for one call the first whose conditions hold is taken: ``args`` (numbers
 of arguments that fit, Python keywords counted) and ``when`` (argument selector -> type name it must have, pointers
-and const ignored; ``string``, ``bool``, ``int``, ``double``, ``function``, ``list`` for the built-in ones; a method,
-a lambda, a bind and a function object are a ``function``). A condition on an argument whose type is not known does
+and const ignored; ``string``, ``bool``, ``int``, ``double``, ``function``, ``list`` for the built-in ones, ``true`` and ``false`` for what is
+known to be so; a method, a lambda, a bind and a function object are a ``function``). A condition on an argument whose type is not known does
 not hold.
 
 Values are templates: text with selectors in braces; a template that is one selector is the value itself. A selector

@@ -133,7 +133,9 @@ def nodelets(programs: Programs) -> dict[str, tuple[PluginClass, Entry, frozense
     found: dict[str, tuple[PluginClass, Entry, frozenset[str]]] = {}
     for described, source, definition, files in described_classes(programs):
         if described.base.replace(" ", "") == NODELET:
-            entry = Entry(source, definition=definition, arguments=_arguments(programs, described))
+            arguments = _arguments(programs, described)
+            label = described.type.strip() if arguments else ""
+            entry = Entry(source, definition=definition, label=label, arguments=arguments)
             found.setdefault(described.name, (described, entry, files))
             found.setdefault(described.type.strip().replace("::", "/"), (described, entry, files))
     return found
@@ -156,12 +158,31 @@ def described_classes(programs: Programs) -> Iterator[tuple[PluginClass, Source,
             files = files_of(programs, targets[0]) if targets else frozenset[str]()
             name = plugin.type.strip().partition("<")[0]
             name = name if name in programs.cpp.classes else aliased(programs.cpp, name) or name
-            candidates = sorted(
-                (item for item in programs.cpp.classes.get(name, ()) if item[1].bases or item[1].fields),
-                key=lambda item: (item[0].path not in files, item[0].package != plugin.package, item[0].path),
-            )
+            candidates = [item for item in programs.cpp.classes.get(name, ()) if item[1].bases or item[1].fields]
+            included = _included(programs, plugin, files) if len(candidates) > 1 else frozenset()
+            ranked = [
+                (
+                    item[0].path not in files,
+                    item[0].path not in included,
+                    item[0].package != plugin.package,
+                    item[0].path,
+                )
+                for item in candidates
+            ]
             if candidates:
-                yield plugin, *candidates[0], files
+                yield plugin, *candidates[ranked.index(min(ranked))], files
+
+
+def _included(programs: Programs, plugin: PluginClass, files: frozenset[str]) -> frozenset[str]:
+    """What those of the *files* of a library include that register the class of *plugin*; what all of them include where none is seen to."""
+    last = plugin.type.strip().partition("<")[0].rpartition("::")[2]
+    sources = [programs.sources[path] for path in sorted(files) if path in programs.sources]
+    registering = [
+        source
+        for source in sources
+        if any(text.strip().rpartition("::")[2] == last for _, words, *_ in source.program.registered for text in words)
+    ]
+    return frozenset(path for source in registering or sources for path in programs.cpp.reach(source.path))
 
 
 def files_of(programs: Programs, target: Target, named: Linkable | None = None) -> frozenset[str]:

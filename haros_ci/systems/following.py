@@ -123,6 +123,8 @@ class Instance:
     is_launched: bool = False
     #: Whether all that is set below its name is known, though a part of the name may not be.
     has_own: bool = False
+    #: Whether its remappings are those of the process; a nodelet's are its own, and not those of its manager.
+    remaps_process: bool = True
 
 
 def run_node(
@@ -135,7 +137,7 @@ def run_node(
 ) -> Followed:
     """Follow one node, unless it has been followed under the same names and all that it asked for is the same again."""
     wiring = tuple(sorted(instance.remaps.items()))
-    words = instance.arguments, instance.is_launched, instance.has_own
+    words = instance.arguments, instance.is_launched, instance.has_own, instance.remaps_process
     key = (entry.key, files_key(files), instance.name, instance.namespace, *words, wiring, instance.process)
     earlier = types.followed.setdefault(key, [])
     for done in earlier:
@@ -162,6 +164,7 @@ def run_node(
         nodelet=partial(_loaded, types, instance),
         process_name=instance.process,
         process_namespace=instance.process.rpartition("/")[0] or "/",
+        remaps_process=instance.remaps_process,
         renames=renames,
     )
     earlier.append(followed_in(types, entry, files, context, requested, key))
@@ -270,7 +273,9 @@ def _loaded(
     _, entry, files = types.nodelets[look_up]
     if loader.depth >= DEEPEST:
         return (), {"nodelets load each other too deeply to be followed": Location(entry.source.path)}
-    inner = Instance(name, above, None, loader.remaps, loader.process, loader.depth + 1)
+    inner = Instance(
+        name, above, None, loader.remaps, loader.process, loader.depth + 1, remaps_process=loader.remaps_process
+    )
     followed = run_node(types, entry, files, inner, parameter)
     problems = {problem.message: Location(problem.path, problem.line) for problem in followed.problems}
     return followed.made, {**problems, **followed.gaps}

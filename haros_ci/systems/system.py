@@ -112,7 +112,8 @@ def launched(types: Types, started: Started, server: ParameterServer) -> Job:
         return Job(node, None, lambda: ((outside.described(node, types.programs, known, *provided),), ()))
     entry, files = found
     arguments = None if any("?" in word for word in words.rest) else words.rest
-    instance = Instance(started.name, namespace, arguments, remaps, process, is_launched=True, has_own=True)
+    kept = {"is_launched": True, "has_own": True, "remaps_process": process == started.name}
+    instance = Instance(started.name, namespace, arguments, remaps, process, **kept)
 
     def follow_it() -> tuple[tuple[Node, ...], tuple[Problem, ...]]:
         followed = run_node(types, entry, files, instance, parameter)

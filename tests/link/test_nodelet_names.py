@@ -139,3 +139,12 @@ def test_on_init_sees_what_the_constructor_has_set() -> None:
     go = " int rate = 0; N() { rate = 10; }"
     body = 'ros::NodeHandle h; h.advertise<std_msgs::String>(rate ? "set" : "unset", 1);'
     assert named(nodelet(body, go)) == ["/ns/set"]
+
+
+@pytest.mark.parametrize("launch", [LOADED, ALONE])
+def test_a_remapping_of_the_nodelet_is_none_of_its_managers_handles(launch: str) -> None:
+    """A handle that the code constructs has the remappings of the process, which is the nodelet itself where it stands alone."""
+    remapped = launch.replace('ns/m"/></launch>', 'ns/m"><remap from="sub" to="b"/></node></launch>')
+    remapped = remapped.replace('p/N"/></launch>', 'p/N"><remap from="sub" to="b"/></node></launch>')
+    node = nodelet('ros::NodeHandle h("sub"); h.advertise<std_msgs::String>("x", 1);', launch=remapped)
+    assert named(node) == (["/b/x"] if launch is ALONE else ["/ns/sub/x"])

@@ -187,3 +187,29 @@ def test_a_simulator_with_a_manager(space: str, launch: str, expected: list[str]
     assert sorted(ours) == expected
     lost = [unknown.reason for unknown in nodes["/gazebo"].unknowns if "arm/Lift" in unknown.reason]
     assert lost == []
+
+
+@pytest.mark.parametrize(
+    ("handle", "source", "target", "expected"),
+    [
+        ('ros::NodeHandle h("sub");', "sub", "b/sub", "/b/sub/x"),
+        ("h = nh;", "lift", "b", "/b/x"),
+        ('h = ros::NodeHandle(nh, "deep");', "lift/deep", "b", "/b/x"),
+        # a namespace around that of the handle: it may be a handle's, or only a part of a name
+        ('h = ros::NodeHandle(nh, "deep");', "lift", "b", "/?"),
+        ('ros::NodeHandle h("sub/deep");', "sub", "b", "/?"),
+        # neither
+        ('ros::NodeHandle h("sub");', "subs", "b", "/sub/x"),
+        ('ros::NodeHandle h("sub");', "x", "b", "/sub/x"),
+        ('ros::NodeHandle h("sub");', "sub/x", "b", "/b"),
+        ("h = root;", "sub", "b", "/x"),
+    ],
+)
+def test_the_manager_remaps_the_namespaces_of_handles(handle: str, source: str, target: str, expected: str) -> None:
+    begin = handle if handle.startswith("ros") else f"ros::NodeHandle h; {handle}"
+    made = f'{begin} a_ = h.advertise<std_msgs::String>("x", 1);\n    b_ = root'
+    lift = LIFT.replace("    b_ = root", f"    {made}")
+    launch = HARDWARE.replace("/>", f'><remap from="{source}" to="{target}"/></node>') + TYPED + spawner("lift")
+    (configuration,) = system(launch, lift).configurations
+    found = published(configuration.nodes)["/hw"]
+    assert expected in found

@@ -1,12 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Transforms (ROS 1, C++): broadcasters, listeners, and the buffer behind an action.
-
-``tf2_ros::Buffer`` has no row: whether it offers ``~tf2_frames`` depends on a value, its second argument.
-"""
+"""Transforms (ROS 1, C++): broadcasters, listeners, buffers, and the buffer behind an action."""
 
 from __future__ import annotations
 
 # fmt: off
+FRAMES: dict[str, object] = {"kind": "servers", "name": "tf2_frames", "type": "tf2_msgs/FrameGraph", "namespace": "~"}
+
 ROWS: tuple[dict[str, object], ...] = (
     # tf/transform_broadcaster.h, tf/transform_listener.h: wrappers of tf2_ros since Hydro.
     {"call": "tf::TransformBroadcaster", "args": [0],
@@ -26,6 +25,12 @@ ROWS: tuple[dict[str, object], ...] = (
     {"call": "tf2_ros::TransformListener", "args": [1, 2, 3, 4],
      "makes": [{"kind": "subscribers", "name": "/tf", "type": "tf2_msgs/TFMessage", "queue_size": 100},
                {"kind": "subscribers", "name": "/tf_static", "type": "tf2_msgs/TFMessage", "queue_size": 100}]},
+
+    # tf2_ros/src/buffer.cpp: its frames are offered with the second argument, debug, which is false by default.
+    {"call": "tf2_ros::Buffer", "args": [2], "when": {"1": "true"}, "makes": [FRAMES]},
+    {"call": "tf2_ros::Buffer", "args": [2], "when": {"1": "false"}},
+    {"call": "tf2_ros::Buffer", "args": [2],
+     "makes": [{**FRAMES, "unsure": "the argument debug of the buffer is not known"}]},
 
     # tf2_ros/buffer_server.h, buffer_client.h
     {"call": "tf2_ros::BufferServer", "args": [2, 3, 4],

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from haros_ci.follow import handed_out
+from haros_ci.follow import handed_out, overriding
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.walk import Walk
 from haros_ci.values.abstract import Callable, Library, Object, Pointer, Value
@@ -17,7 +17,8 @@ if TYPE_CHECKING:
 def bind(walk: Walk, frame: Frame, name: str, args: tuple[PassedArgument, ...]) -> Value:
     """``bind(&C::m, this, _1, x)``: what is bound keeps its place, placeholders are open."""
     handed_out.note(walk, frame, name, args)
-    return bound(args)
+    function = bound(args)
+    return overriding.final(walk, function) if isinstance(function, Callable) else function
 
 
 def bound(args: tuple[PassedArgument, ...]) -> Value:

@@ -214,6 +214,8 @@ def _has_type(argument: PassedArgument | None, expected: str, walk: Walk) -> boo
         return isinstance(value, Sequence) or name in SEQUENCES or name == "list"
     if expected == "bool":
         return (isinstance(value, Known) and issubclass(value.kind, bool)) or name == "bool"
+    if expected in ("true", "false"):
+        return isinstance(value, Known) and value.kind in (bool, int) and bool(value.value) is (expected == "true")
     if expected == "int":
         return parameter_type(kind) == "int"
     if expected == "double":

@@ -13,7 +13,7 @@ from functools import partial
 
 from haros_ci.graph.names import clean
 from haros_ci.graph.parameters import ParameterServer
-from haros_ci.model.architecture import Node, Unknown
+from haros_ci.model.architecture import Endpoint, Node, Unknown
 from haros_ci.records import dataclass
 from haros_ci.systems.following import Types
 from haros_ci.systems.ros1_controllers import CONTROLLER, HOST, PluginOfControl, described, loaded
@@ -21,6 +21,9 @@ from haros_ci.systems.simulation.built import moved
 from haros_ci.systems.simulation.ros1_managers import SERVICE, Asked
 from haros_ci.systems.system import Job
 from haros_ci.values.abstract import Known, Opaque, Value
+
+#: Why the name of an endpoint is not known whose handle is below a namespace that is remapped.
+BELOW = "the manager remaps a namespace around it, which counts if a node handle of that namespace was constructed"
 
 
 @dataclass(frozen=True, slots=True)
@@ -81,8 +84,22 @@ def with_controllers(
             found.append(replace(controller, name="/?", kind="node", unknowns=unknowns))
             continue
         host = found[hosts[0]]
-        remaps = dict(host.remaps)
-        ends = [replace(end, name=remaps.get(end.name, end.name)) for end in moved(controller, host)]
+        ends = [_remapped(end, host) for end in moved(controller, host)]
         more = tuple(why for why in controller.unknowns if why.field == "endpoints" and why not in host.unknowns)
         found[hosts[0]] = replace(host, endpoints=(*host.endpoints, *ends), unknowns=(*host.unknowns, *more))
     return tuple(found)
+
+
+def _remapped(end: Endpoint, host: Node) -> Endpoint:
+    """*end* of a controller with the name that the *host* gives it: roscpp remaps the namespace of its handle where that is constructed, then its whole name."""
+    remaps = dict(host.remaps)
+    name = end.name
+    written = end.written or ""
+    is_below = written[:1] not in ("", "/", "~") and name.endswith(f"/{written}")
+    space = name.removesuffix(f"/{written}") if is_below else ""
+    if space in remaps and space != host.name:
+        name = clean(f"{remaps[space]}/{written}")
+    elif any(name.startswith(f"{source}/") for source in remaps) and written[:1] != "/":
+        if not space or any(space.startswith(f"{source}/") for source in remaps):
+            return replace(end, name="/?", unknowns=(*end.unknowns, Unknown("name", BELOW, end.location)))
+    return replace(end, name=remaps.get(name, name))
