@@ -97,10 +97,6 @@ def test_options_that_launch_adds_are_left_over(more: str, expected: str) -> Non
 @pytest.mark.parametrize(
     ("option", "more"),
     [
-        ('p.add_argument("-r", "--rate")\n', ", name='m'"),
-        ('p.add_argument("-rate")\n', ", name='m'"),
-        ('p.add_argument("where", nargs="?", default="c")\n', ", name='m'"),
-        ('p.add_argument("--params-file")\n', ", parameters=['x.yaml']"),
         ('p.add_argument("file")\n', ", name='m'"),
         ('p.add_argument("--needed", required=True)\n', ", name='m'"),
         ("p.add_subparsers(dest='x', required=True).add_parser('a')\n", ", name='m'"),
@@ -110,6 +106,32 @@ def test_options_that_launch_adds_are_left_over(more: str, expected: str) -> Non
 def test_options_that_they_may_be(option: str, more: str) -> None:
     body = KNOWN % ""
     assert published(started(body.replace("node.create", option + "node.create"), more)) == [("/?", False)]
+
+
+@pytest.mark.parametrize(
+    ("option", "more"),
+    [
+        ('p.add_argument("-r", "--rate")\n', ", name='m'"),
+        ('p.add_argument("-rate")\n', ", name='m'"),
+        ('p.add_argument("where", nargs="?", default="c")\n', ", name='m'"),
+        ('p.add_argument("--params-file")\n', ", parameters=['x.yaml']"),
+    ],
+)
+def test_an_option_beside_one_that_they_may_be(option: str, more: str) -> None:
+    """Whatever the other one takes of what launch adds, this one has its default."""
+    body = KNOWN % ""
+    assert published(started(body.replace("node.create", option + "node.create"), more)) == [("/b", False)]
+    taken = body.replace("node.create", option + "node.create").replace("topic, 1", f"{NAMED[option]}, 1")
+    assert "/?" in {name for name, _ in published(started(taken, more))} or not explicit(started(taken, more))
+
+
+#: What the options above are called.
+NAMED = {
+    'p.add_argument("-r", "--rate")\n': "rate",
+    'p.add_argument("-rate")\n': "rate",
+    'p.add_argument("where", nargs="?", default="c")\n': "where",
+    'p.add_argument("--params-file")\n': "params_file",
+}
 
 
 def test_options_of_all_words() -> None:
