@@ -111,8 +111,12 @@ def _decoy(a: Attacker) -> None:
 
 
 def _asked(a: Attacker) -> str:
-    """A finding that names the canary, which stands in no line of the source."""
+    """A finding that names the canary, which stands in no line of the source, but where macros are expanded, as in the facts that the cache has."""
     return f"#define J(x, y) x##y\nint f() {{ int J(CANA, RY_{a.name}); return J(CANA, RY_{a.name}); }}\n#endif\n"
+
+
+#: Attacks of that kind: whether a tool names the canary is the answer.
+ASKING = frozenset(("question", "question_by_macro", "renamed_question"))
 
 
 def _question(a: Attacker) -> None:

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 from hostile_kit import CONTROL_FINDING, Outcome, Trap
-from leak_kit import CPP, DATABASE, PY, TEXTS, Attack, Attacker
+from leak_kit import ASKING, CPP, DATABASE, PY, TEXTS, Attack, Attacker
 
 from haros_ci.linters.sandbox import protection
 
@@ -66,7 +66,10 @@ def test_no_way_leads_out(family: str, name: str, sandbox: str, ground: Callable
     done = ground(family, sandbox)
     canary = done.attackers[name].canary
     assert done.outcome.code in (1, 3), done.outcome.stderr
-    assert [place for place, text in done.written.items() if _shows(text, canary)] == []
+    shown = [place for place, text in done.written.items() if _shows(text, canary)]
+    if name in ASKING:  # facts have both branches of each condition, and are made of a file's text alone
+        shown = [place for place in shown if not place.startswith("cache/facts-cpp-")]
+    assert shown == []
 
 
 def _shows(text: str, canary: str) -> bool:

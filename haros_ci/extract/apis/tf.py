@@ -4,8 +4,6 @@
 from __future__ import annotations
 
 # fmt: off
-FRAMES: dict[str, object] = {"kind": "servers", "name": "tf2_frames", "type": "tf2_msgs/FrameGraph", "namespace": "~"}
-
 ROWS: tuple[dict[str, object], ...] = (
     # tf/transform_broadcaster.h, tf/transform_listener.h: wrappers of tf2_ros since Hydro.
     {"call": "tf::TransformBroadcaster", "args": [0],
@@ -27,10 +25,12 @@ ROWS: tuple[dict[str, object], ...] = (
                {"kind": "subscribers", "name": "/tf_static", "type": "tf2_msgs/TFMessage", "queue_size": 100}]},
 
     # tf2_ros/src/buffer.cpp: its frames are offered with the second argument, debug, which is false by default.
-    {"call": "tf2_ros::Buffer", "args": [2], "when": {"1": "true"}, "makes": [FRAMES]},
+    {"call": "tf2_ros::Buffer", "args": [2], "when": {"1": "true"},
+     "makes": [{"kind": "servers", "name": "tf2_frames", "type": "tf2_msgs/FrameGraph", "namespace": "~"}]},
     {"call": "tf2_ros::Buffer", "args": [2], "when": {"1": "false"}},
     {"call": "tf2_ros::Buffer", "args": [2],
-     "makes": [{**FRAMES, "unsure": "the argument debug of the buffer is not known"}]},
+     "makes": [{"kind": "servers", "name": "tf2_frames", "type": "tf2_msgs/FrameGraph", "namespace": "~",
+                "unsure": "the argument debug of the buffer is not known"}]},
 
     # tf2_ros/buffer_server.h, buffer_client.h
     {"call": "tf2_ros::BufferServer", "args": [2, 3, 4],
