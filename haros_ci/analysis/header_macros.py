@@ -44,6 +44,19 @@ def given(programs: Mapping[str, Program], mentions: Mapping[str, frozenset[str]
 
 def calling(programs: Mapping[str, Program]) -> dict[str, Macro]:
     """The macros with parameters that all definitions of their names agree on, and whose text calls an API, one of those, or a parameter, or is a text (``#V``)."""
+    single = _agreed(programs)
+    calls = {name: set(_calls(macro)) for name, macro in single.items()}
+    methods = _methods() if any(mark for called in calls.values() for mark, _ in called) else frozenset()
+    making = {name for name, called in calls.items() if any(mark and word in methods for mark, word in called)}
+    making |= {name for name, called in calls.items() if any(word in single[name][0] for _, word in called)}
+    while further := {name for name, called in calls.items() if {word for _, word in called} & making} - making:
+        making |= further
+    texts = _of_texts(single)
+    return {name: single[name] for name in [*sorted(making), *sorted(texts - making)][:MOST]}
+
+
+def _agreed(programs: Mapping[str, Program]) -> dict[str, Macro]:
+    """The macros with parameters that have one definition, or the same one wherever they have any."""
     every: dict[str, set[Macro] | None] = {}
     for program in programs.values():
         for name, parameters, body in program.macros:
@@ -51,17 +64,15 @@ def calling(programs: Mapping[str, Program]) -> dict[str, Macro]:
                 every[name] = None
             elif (known := every.setdefault(name, set())) is not None:
                 known.add((parameters, body))
-    single = {name: next(iter(found)) for name, found in every.items() if found is not None and len(found) == 1}
-    calls = {name: set(_calls(macro)) for name, macro in single.items()}
-    methods = _methods() if any(mark for called in calls.values() for mark, _ in called) else frozenset()
-    making = {name for name, called in calls.items() if any(mark and word in methods for mark, word in called)}
-    making |= {name for name, called in calls.items() if any(word in single[name][0] for _, word in called)}
-    while further := {name for name, called in calls.items() if {word for _, word in called} & making} - making:
-        making |= further
+    return {name: next(iter(found)) for name, found in every.items() if found is not None and len(found) == 1}
+
+
+def _of_texts(single: Mapping[str, Macro]) -> set[str]:
+    """The names of the macros that make a text of their argument, or pass it on to one of these."""
     texts = {name for name, (_, body) in single.items() if "#" in body and _TEXT.fullmatch(body)}
     passed = {name: _PASSED.fullmatch(body) for name, (_, body) in single.items()}
     texts |= {name for name, match in passed.items() if match and match[1] in texts}
-    return {name: single[name] for name in [*sorted(making), *sorted(texts - making)][:MOST]}
+    return texts
 
 
 def state(programs: Mapping[str, Program]) -> str:
