@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 
 from haros_ci.api import Check, Decidability, Finding, Level, Location, System, SystemNode, regex
 from haros_ci.api.launch import is_end_of_longer
@@ -202,11 +202,13 @@ def _code(system: System) -> Iterator[Finding]:
         yield from _of_file(_seen[key], runner or owners[package], runner or package, system)
 
 
-def _of_file(uses: Iterable[FrameUse], node: SystemNode, about: SystemNode | str, system: System) -> Iterator[Finding]:
+def _of_file(uses: Sequence[FrameUse], node: SystemNode, about: SystemNode | str, system: System) -> Iterator[Finding]:
     """What there is to say of the *uses* in one file of the package of *node*."""
     sent: list[FrameUse] = []
+    is_asked = node.ros == 1 and any(use.asked for use in uses)
+    of_tf = listeners_of_tf(node.package, system) if is_asked else frozenset()
     for use in uses:
-        if use.kind == "look-up" and node.ros == 1 and use.asked in listeners_of_tf(node.package, system):
+        if use.kind == "look-up" and use.asked in of_tf:
             continue  # tf::Transformer takes the slash off
         if use.kind == "marker" and node.ros == 1:
             yield _marker(use, about)

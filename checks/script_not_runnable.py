@@ -21,6 +21,7 @@ from haros_ci.api.packages import (
     is_made_program_later,
     is_sourced,
     is_to_be_run,
+    paths_by_name,
     rospy_programs,
 )
 
@@ -277,7 +278,7 @@ def _started(package: ProjectPackage, launched: dict[str, Location], seen: set[s
     for path in package.build.scripts:
         name = path.rpartition("/")[2]
         if name in launched and name not in targets and path not in seen and path not in bits:
-            alike = [other for other in package.project.workspace.names if other.endswith(f"/{name}")]
+            alike = paths_by_name(package.project.workspace.names).get(name, ())
             if not any(other in bits for other in alike):
                 yield _Bit(path, _LAUNCHED, Level.ERROR)
                 yield from _first_line(path, package)

@@ -11,6 +11,7 @@ from difflib import get_close_matches
 
 from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage, regex
 from haros_ci.api.interfaces import InterfaceReference, InterfaceUsers, always_at, references_to
+from haros_ci.api.packages import paths_by_name
 
 GENERATE = ("rosidl_generate_interfaces", "add_message_files", "add_service_files", "add_action_files")
 ENDINGS = (".msg", ".srv", ".action", ".idl")
@@ -179,7 +180,6 @@ def _lower_case(project: Project, defining: Mapping[str, Defining]) -> Iterator[
 
 def _in_code(project: Project, defining: Mapping[str, Defining], users: InterfaceUsers) -> Iterator[Finding]:
     built = {path for package in project.packages for target in package.build.targets for path in target.sources}
-    ends = {name.rpartition("/")[2] for name in project.workspace.names}
     for reference, places in users.named.items():
         of = defining.get(reference.package)
         if of is None or reference in of.references:
@@ -187,7 +187,7 @@ def _in_code(project: Project, defining: Mapping[str, Defining], users: Interfac
         for path, written in places:
             if path in project.code.unbuilt:
                 continue
-            finding = _unless_handmade(project, defining, of, reference, path, written, built, ends)
+            finding = _unless_handmade(project, defining, of, reference, path, written, built)
             if finding is not None:
                 yield finding
 
@@ -200,7 +200,6 @@ def _unless_handmade(
     path: str,
     written: str,
     built: set[str],
-    ends: set[str],
 ) -> Finding | None:
     """The finding for one name in one file; None where people may have written what it means, or only some builds read it."""
     at = always_at(project, path, written)
@@ -211,8 +210,8 @@ def _unless_handmade(
         file = name.rpartition("/")[2]
         if (not reference.kind and reference.stem.endswith(OF_A_CONFIG)) or _OF_ALL.fullmatch(file):
             return None
-        if file in ends and any(
-            other_path.endswith(f"/{name}") or other_path == name for other_path in project.workspace.names
+        if any(
+            f"/{other_path}".endswith(f"/{name}") for other_path in paths_by_name(project.workspace.names).get(file, ())
         ):
             return None
         stem = file.partition(".")[0]

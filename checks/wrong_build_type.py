@@ -10,10 +10,12 @@ from haros_ci.api import Check, Finding, Fix, Level, Location, Project, ProjectP
 from haros_ci.api.packages import (
     AMENT,
     CATKIN,
+    NO_ENTRIES,
     CMakeCommand,
     add_export,
     always_called,
     build_types,
+    entries_of,
     exports,
     place,
     set_text,
@@ -89,9 +91,9 @@ def _builds_for_both(package: ProjectPackage) -> bool:
 
 def _has_misspelt(package: ProjectPackage) -> bool:
     """Whether a file beside package.xml is nearly called CMakeLists.txt."""
-    prefix = package.inside("")
-    names = (path[len(prefix) :] for path in package.project.below(package.path))
-    return any(is_slip(name, "CMakeLists.txt") for name in names if "/" not in name)
+    folder = "" if package.path == "." else package.path
+    inside = entries_of(package.project.workspace.names).get(folder, NO_ENTRIES)
+    return any(is_slip(name, "CMakeLists.txt") for name in inside.names - inside.directories)
 
 
 def _mismatches(package: ProjectPackage, kind: str, at: Location) -> Iterator[Finding]:

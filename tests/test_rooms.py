@@ -21,7 +21,7 @@ DOORS: dict[str, set[str]] = {
     "timing": set(),
     "bounded_python": set(),
     "bounded_yaml": set(),
-    "results": {"model"},
+    "results": {"bounded_python", "model"},
     "interruption": set(),
     "scratch": {"errors", "interruption"},
     "workspace": {"errors", "model", "results", "scratch", "timing"},

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Protocol
 
 from haros_ci.changes.revision import Revision, changes_of
 from haros_ci.checking.cmake import CMake
-from haros_ci.checking.entries import below
+from haros_ci.checking.entries import below, entries_of
 from haros_ci.checking.system import System
 from haros_ci.knowledge.knowledge import Knowledge
 from haros_ci.knowledge.knowledge import knowledge as packaged
@@ -232,11 +232,7 @@ class Project:
     @cached_property
     def directories(self) -> frozenset[str]:
         """The directories that have a file in them, at whatever depth."""
-        found = {"."}
-        for path in self.workspace.names:
-            while (path := path.rpartition("/")[0]) and path not in found:
-                found.add(path)
-        return frozenset(found)
+        return frozenset(folder or "." for folder in entries_of(self.workspace.names))
 
     def below(self, folder: str) -> Sequence[str]:
         """The paths of all files in the root-relative directory *folder* or deeper, in order; ``"."`` is the root."""

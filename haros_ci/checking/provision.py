@@ -8,6 +8,7 @@ from collections.abc import Callable, Hashable, Iterator, Mapping
 from functools import cached_property
 from typing import TypeVar, cast
 
+from haros_ci.checking.entries import paths_by_name
 from haros_ci.checking.manifests import counted
 from haros_ci.checking.project import Project, ProjectPackage
 from haros_ci.model.location import Location
@@ -287,7 +288,7 @@ class Sources:
     @cached_property
     def file_names(self) -> frozenset[str]:
         """The names of all files of the workspace, without their folders."""
-        return frozenset(path.rpartition("/")[2] for path in self.project.workspace.names)
+        return frozenset(paths_by_name(self.project.workspace.names))
 
     @cached_property
     def modules(self) -> Mapping[str, frozenset[str]]:

@@ -6,6 +6,7 @@ from __future__ import annotations
 import re
 from posixpath import basename
 
+from haros_ci.checking.entries import NO_ENTRIES, entries_of
 from haros_ci.checking.project import Project
 from haros_ci.model.former_names import is_archived, superseded
 from haros_ci.regex import regex
@@ -50,9 +51,8 @@ def _is_former(path: str, project: Project) -> bool:
     if is_archived(path):
         return True
     former = superseded(_stem(name))
-    return bool(former) and any(
-        other.rpartition("/")[0] == folder and _stem(basename(other)) == former for other in project.workspace.names
-    )
+    inside = entries_of(project.workspace.names).get(folder, NO_ENTRIES)
+    return bool(former) and any(_stem(other) == former for other in inside.names - inside.directories)
 
 
 def _former_folder(path: str, project: Project) -> str:

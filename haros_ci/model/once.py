@@ -8,7 +8,7 @@ from typing import TypeVar
 
 T = TypeVar("T")
 Key = TypeVar("Key", bound=tuple[object, ...])
-#: So many tables of rows each function knows: those of two languages and two versions of ROS, and those of a project's own rows.
+#: So many tuples each function knows: of rows those of two languages and two versions of ROS, and those of a project's own rows.
 TABLES = 8
 
 
@@ -20,12 +20,12 @@ def once(make: Callable[[Key], T]) -> Callable[[Key], T]:
     """
     made: dict[int, tuple[Key, T]] = {}
 
-    def found(rows: Key) -> T:
-        known = made.get(id(rows))
+    def found(key: Key) -> T:
+        known = made.get(id(key))
         if known is None:
             if len(made) >= TABLES:
                 del made[next(iter(made))]
-            known = made[id(rows)] = (rows, make(rows))  # the rows are kept, so that no others get their identity
+            known = made[id(key)] = (key, make(key))  # it is kept, so that no other one gets its identity
         return known[1]
 
     return found

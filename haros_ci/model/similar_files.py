@@ -7,6 +7,7 @@ import posixpath
 import re
 from collections.abc import Iterable
 from difflib import SequenceMatcher
+from functools import lru_cache
 
 from haros_ci.regex import regex
 
@@ -16,6 +17,8 @@ _PART = 0.5
 #: Letters of a word that means something.
 _WORD = 3
 _LONGEST = 200
+#: Names whose parts are remembered: many that are not there are each held against the same that are.
+_NAMES = 1 << 15
 _LAUNCH = regex(r"[._]launch(?:\.\w+)?$")
 #: Words of which one is not meant by the other.
 _APART = ({"left", "right"}, {"front", "rear"}, {"front", "back"}, {"upper", "lower"}, {"min", "max"})
@@ -60,15 +63,18 @@ def _rank(base: str, stem: str, other: str, name: str, owner: str) -> tuple[int,
     """How near a file's name is, 0 for the same one; None for another one."""
     if other == base:
         return 0, 1.0
-    if _squeezed(stem) == _squeezed(name) or _squeezed(base) == _squeezed(other):
+    plain = _squeezed(name)
+    if _squeezed(stem) == plain or _squeezed(base) == _squeezed(other):
         return 1, float(_squeezed(other) == _squeezed(base))
-    if owner and _squeezed(name) in (_squeezed(owner + stem), _squeezed(stem + owner)):
+    if owner and plain in (_squeezed(owner + stem), _squeezed(stem + owner)):
         return 2, 1.0
-    if owner and _squeezed(name) == _squeezed(owner) and set(_words(stem)) <= set(_words(owner)):
+    if owner and plain == _squeezed(owner) and set(_words(stem)) <= set(_words(owner)):
         return 2, 0.5
+    if _numbers(stem) != _numbers(name):
+        return None
     words, others = _words(stem), _words(name)
     left, right = set(words) - set(others), set(others) - set(words)
-    if re.findall(r"\d+", stem) != re.findall(r"\d+", name) or any(left & pair and right & pair for pair in _APART):
+    if any(left & pair and right & pair for pair in _APART):
         return None
     if sorted(words) == sorted(others):  # the same words in another order
         return 2, _ratio(stem.lower(), name.lower())
@@ -87,21 +93,32 @@ def _are_slips(left: set[str], right: set[str]) -> bool:
 
 
 def _ratio(one: str, other: str) -> float:
+    if 2 * min(len(one), len(other)) < _PART * (len(one) + len(other)):
+        return 0.0
     matcher = SequenceMatcher(None, one, other)
     return matcher.ratio() if matcher.quick_ratio() >= _PART else 0.0
 
 
+@lru_cache(_NAMES)
 def _stem(base: str) -> str:
     return re.sub(r"_launch$", "", base.lstrip(".").partition(".")[0])
 
 
+@lru_cache(_NAMES)
 def _kind(base: str) -> str:
     return "launch" if _LAUNCH.search(base) else posixpath.splitext(base)[1].lower()
 
 
-def _words(name: str) -> list[str]:
-    return [word.lower() for word in re.split(r"[^A-Za-z0-9]+|(?<=[a-z])(?=[A-Z])", name) if word]
+@lru_cache(_NAMES)
+def _words(name: str) -> tuple[str, ...]:
+    return tuple(word.lower() for word in re.split(r"[^A-Za-z0-9]+|(?<=[a-z])(?=[A-Z])", name) if word)
 
 
+@lru_cache(_NAMES)
+def _numbers(name: str) -> tuple[str, ...]:
+    return tuple(re.findall(r"\d+", name))
+
+
+@lru_cache(_NAMES)
 def _squeezed(name: str) -> str:
     return re.sub(r"[-_ .]", "", name).lower()

@@ -4,9 +4,10 @@
 from __future__ import annotations
 
 import ast
-import operator
 from collections.abc import Callable, Mapping
 from typing import Any
+
+from haros_ci.bounded_python.language import ARITHMETIC, BITS, COMPARISONS, SIGNS
 
 #: How deep an expression is looked into; what is larger is not known: numbers, and texts and groups by their length.
 DEEPEST = 20
@@ -19,28 +20,6 @@ class Unknown:
 
 
 UNKNOWN = Unknown()
-_COMPARED: dict[type, Callable[[Any, Any], Any]] = {
-    ast.Eq: operator.eq,
-    ast.NotEq: operator.ne,
-    ast.Lt: operator.lt,
-    ast.LtE: operator.le,
-    ast.Gt: operator.gt,
-    ast.GtE: operator.ge,
-    ast.In: lambda one, group: one in group,
-    ast.NotIn: lambda one, group: one not in group,
-}
-_JOINED: dict[type, Callable[[Any, Any], Any]] = {
-    ast.Add: operator.add,
-    ast.Sub: operator.sub,
-    ast.Mult: operator.mul,
-    ast.FloorDiv: operator.floordiv,
-    ast.Div: operator.truediv,
-    ast.Mod: operator.mod,
-    ast.BitAnd: operator.and_,
-    ast.BitOr: operator.or_,
-    ast.BitXor: operator.xor,
-}
-_SIGNED: dict[type, Callable[[Any], Any]] = {ast.USub: operator.neg, ast.UAdd: operator.pos, ast.Not: operator.not_}
 _CALLED: dict[str, Callable[..., Any]] = {
     **{"len": len, "bool": bool, "int": int, "any": any, "all": all, "abs": abs, "float": float},
     **{
@@ -50,7 +29,7 @@ _CALLED: dict[str, Callable[..., Any]] = {
         "frozenset": frozenset,
         "dict": dict,
         "str": str,
-        "bytes": bytes,
+        "bytes": lambda *given: b"" if not given else UNKNOWN,  # of a number it has that size
     },
 }
 _TYPES: dict[str, type] = {one.__name__: one for one in (str, bytes, int, float, bool, list, tuple, dict, set)}
@@ -72,10 +51,10 @@ def value_of(node: ast.expr, given: Mapping[str, object], depth: int = 0) -> obj
     if isinstance(node, ast.NamedExpr):
         return value_of(node.value, given, depth + 1)
     if isinstance(node, ast.UnaryOp):
-        sign = _SIGNED.get(type(node.op))
+        sign = SIGNS.get(type(node.op))
         return UNKNOWN if sign is None else _made(sign, value_of(node.operand, given, depth + 1))
     if isinstance(node, ast.BinOp):
-        join = _JOINED.get(type(node.op))
+        join = ARITHMETIC.get(type(node.op)) or BITS.get(type(node.op))
         one, other = value_of(node.left, given, depth + 1), value_of(node.right, given, depth + 1)
         return UNKNOWN if join is None or not _may_join(node.op, one, other) else _made(join, one, other)
     if isinstance(node, ast.Compare):
@@ -103,7 +82,7 @@ def _compared(node: ast.Compare, given: Mapping[str, object], depth: int) -> obj
         elif isinstance(left, tuple) and isinstance(right, tuple) and isinstance(sign, ast.Eq | ast.NotEq):
             return UNKNOWN
         else:
-            answer = _made(_COMPARED[type(sign)], left, right)
+            answer = _made(COMPARISONS[type(sign)], left, right)
         if answer is not True:
             return answer
         left = right
