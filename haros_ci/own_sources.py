@@ -35,7 +35,7 @@ OF_FOLLOWED = (
     *("substitutions", "systems", "values"),
 )
 #: The packages that linters are run by, and that what they find is kept as.
-OF_LINTERS = ("linters", "linters/catalogue", "model", "results")
+OF_LINTERS = ("bounded_python", "linters", "linters/catalogue", "model", "results")
 #: The packages that are installed together, for what depends on all of the program.
 INSTALLED = ("haros_ci", "haros_ci_checks")
 #: Libraries by which files are read, and what is kept of them.
