@@ -46,7 +46,7 @@ class Evaluation:
         return not isinstance(value, COLLECTIONS) and self.language.is_unknown(value)
 
     def _constant(self, node: ast.Constant, _: int) -> Any:
-        if node.value is not None and not isinstance(node.value, (str, int, float)):
+        if node.value is not None and not isinstance(node.value, self.language.constants):
             raise NotFollowed(node)
         return bounded(node.value, self.limits)
 
@@ -126,6 +126,10 @@ class Evaluation:
         if not language.is_unknown(one) and type(one) is type(other) and one == other:
             return one
         return language.unknown(isinstance(one, bool) and isinstance(other, bool))
+
+    def _namedexpr(self, node: ast.NamedExpr, depth: int) -> Any:
+        value = self.local[node.target.id] = self.value(node.value, depth)
+        return value
 
     def _list(self, node: ast.List, depth: int) -> Any:
         return [self.value(elt, depth) for elt in node.elts]
@@ -272,6 +276,7 @@ _EVALUATORS: dict[type[ast.expr], _Evaluator] = dict(
         _on(ast.BoolOp, Evaluation._boolop),
         _on(ast.Compare, Evaluation._compare),
         _on(ast.IfExp, Evaluation._ifexp),
+        _on(ast.NamedExpr, Evaluation._namedexpr),
         _on(ast.List, Evaluation._list),
         _on(ast.Tuple, Evaluation._tuple),
         _on(ast.Set, Evaluation._set),

@@ -55,6 +55,8 @@ class Language(ABC):
 
     limits: ClassVar[Limits]
     syntax: ClassVar[frozenset[type[ast.expr]]] = SYNTAX
+    #: The types of constants, beside None.
+    constants: ClassVar[tuple[type, ...]] = (str, int, float)
     operators: ClassVar[Mapping[type[ast.operator], Callable[[Any, Any], Any]]] = ARITHMETIC
     signs: ClassVar[Mapping[type[ast.unaryop], Callable[[Any], Any]]] = SIGNS
     #: Whether operators but ``+`` and ``not`` are followed for numbers alone.

@@ -67,7 +67,7 @@ def parsed(text: str, limits: Limits) -> ast.expr:
 
 def bounded(value: Any, limits: Limits) -> Any:
     """*value*, if it is of a size that is allowed."""
-    if isinstance(value, (str, list, tuple, dict, set, frozenset, range)) and len(value) > limits.size:
+    if isinstance(value, (str, bytes, list, tuple, dict, set, frozenset, range)) and len(value) > limits.size:
         raise TooMuch
     if isinstance(value, int) and not isinstance(value, bool) and value.bit_length() > limits.bits:
         raise TooMuch("number")
@@ -96,7 +96,11 @@ def check_operation(op: ast.operator, left: Any, right: Any, limits: Limits) -> 
     """TooMuch or NotFollowed if *left* *op* *right* would grow beyond the limits before it could be measured."""
     if isinstance(op, ast.Mult):
         for items, times in ((left, right), (right, left)):
-            if isinstance(items, (str, list, tuple)) and isinstance(times, int) and len(items) * times > limits.size:
+            if (
+                isinstance(items, (str, bytes, list, tuple))
+                and isinstance(times, int)
+                and len(items) * times > limits.size
+            ):
                 raise TooMuch
     elif isinstance(op, ast.Pow):
         if isinstance(left, int) and isinstance(right, int) and left.bit_length() * abs(right) > limits.bits:
