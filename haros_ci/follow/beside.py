@@ -11,6 +11,7 @@ from haros_ci.follow.walk import Walk
 from haros_ci.syntax import Expression
 from haros_ci.syntax.walk import everything
 from haros_ci.values.abstract import Callable, Library, Object, Pointer, Value
+from haros_ci.values.effects import Effects
 
 #: How the last words of what spins begin (rclcpp/executors.hpp, rclpy/__init__.py, rclpy/executors.py).
 SPINS = "spin"
@@ -23,7 +24,7 @@ WAITING = ("sleep", "wait")
 def note(walk: Walk, *values: Value) -> None:
     """*values* are given to a function that may begin a thread with one of them."""
     if walk.context.process is not None and walk.beside is None and any(_spins(walk, value) for value in values):
-        walk.beside = []
+        walk.beside = Effects()
 
 
 def _spins(walk: Walk, value: Value) -> bool:

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable as Function_
-from collections.abc import Sequence as Sequence_
 from dataclasses import replace
 from functools import partial
 
@@ -40,6 +39,7 @@ from haros_ci.values.abstract import (
     Value,
     tick,
 )
+from haros_ci.values.effects import Effects
 from haros_ci.values.state import Writes
 
 #: Steps that a second rehearsal of all callbacks may take.
@@ -149,16 +149,16 @@ def _call_back(walk: Walk, frame: Frame) -> None:
     _set_up(walk, frame)  # which is part of the beginning
     walk.is_called_back = True
     done = 0
-    effects: list[Writes] = []
     while done < min(len(walk.roots), ROOTS) or uncalled.register(walk):
         batch = walk.roots[done:ROOTS]
         _rehearse_all(walk, frame)
-        effects = list(walk.effects)
+        every = walk.effects.copy()
         if walk.rehearsed < CHEAP:  # what one leaves behind may change what another does
+            effects = every.every
             for number, root in enumerate(batch, start=done):
                 effects[number] = _counted(effects[number], _rehearsed(walk, frame, root, walk.effects, number))
-        every = disturbances.Effects(effects)
-        found = disturbances.changed(disturbances.together(effects))  # each of the batch begins with what holds now
+            every = Effects(effects)
+        found = disturbances.changed(every.together)  # each of the batch begins with what holds now
         for number, root in sorted(enumerate(batch, start=done), key=lambda item: _rank(walk, item[1])):
             if root.is_setup or not inert.may_make(walk, root.function, ()):
                 continue
@@ -213,7 +213,7 @@ def _rehearse_all(walk: Walk, frame: Frame) -> None:
     """What each callback writes by itself, however often it runs, for those that have not been asked yet."""
     for number in range(len(walk.effects), min(len(walk.roots), ROOTS)):
         begun = tick()
-        writes = _rehearsed(walk, frame, walk.roots[number], [], number)
+        writes = _rehearsed(walk, frame, walk.roots[number], Effects(), number)
         if any(
             walk.is_older(cell, begun) and counters.has_other_number(cell.value, value)
             for cell, value in writes.items()
@@ -225,12 +225,12 @@ def _rehearse_all(walk: Walk, frame: Frame) -> None:
 def _again(walk: Walk, frame: Frame, root: Root, writes: Writes) -> Writes:
     """The numbers that a callback changes once more after its *writes*; it takes nothing of what others may spend."""
     rehearsed, spent = walk.rehearsed, dict(walk.spent)
-    found = _counted(writes, _rehearsed(walk, frame, root, [writes], 0))
+    found = _counted(writes, _rehearsed(walk, frame, root, Effects([writes]), 0))
     walk.rehearsed, walk.spent = rehearsed, spent
     return {cell: value for cell, value in found.items() if counters.is_counted(value)}
 
 
-def _rehearsed(walk: Walk, frame: Frame, root: Root, others: list[Writes], number: int) -> Writes:
+def _rehearsed(walk: Walk, frame: Frame, root: Root, others: Effects, number: int) -> Writes:
     """What a callback writes, from a state that the *others* have disturbed."""
     if root.is_update or root.is_setup or root.is_tick:
         return {}
@@ -283,15 +283,14 @@ def meanwhile(walk: Walk, frame: Frame) -> None:
         _rehearse_all(walk, frame)
     finally:
         walk.is_interlude, walk.effects, walk.rehearsed, walk.spent = False, effects, rehearsed, spent
-    for cell, value in disturbances.changed(disturbances.together(walk.beside)).items():
+    for cell, value in disturbances.changed(walk.beside.together).items():
         if isinstance(cell.value, Known):
             walk.state.put(cell, value)
 
 
-def _disturb(walk: Walk, effects: Sequence_[Writes], own: int) -> None:
+def _disturb(walk: Walk, effects: Effects, own: int) -> None:
     """The callback of the number *own* begins with what the *effects* of the callbacks leave behind."""
-    every = disturbances.all_together(walk) if effects is walk.effects else disturbances.together(effects)
-    disturbances.disturb(walk, disturbances.Effects(effects), own, disturbances.changed(every))
+    disturbances.disturb(walk, effects, own, disturbances.changed(effects.together))
 
 
 def _invoke(walk: Walk, frame: Frame, root: Root) -> None:

@@ -29,6 +29,7 @@ from haros_ci.records import dataclass, field
 from haros_ci.syntax import Class, Function, Type
 from haros_ci.values.abstract import NONE, Cell, Known, Object, Opaque, Value, join
 from haros_ci.values.cells import Slot
+from haros_ci.values.effects import Effects
 from haros_ci.values.state import Held, State, Writes
 
 #: Statements and calls that one node may take, and as many in rehearsals (what is beyond is named in a notification); and one with all plug-ins of the workspace.
@@ -141,7 +142,7 @@ class Walk:
     is_raised: bool = False
     is_interlude: bool = False
     #: What callbacks write that an executor calls in a thread, beside what is followed (ROS 2); None where none spins so.
-    beside: list[Writes] | None = None
+    beside: Effects | None = None
     #: Whether callbacks are followed, not initialisation.
     is_called_back: bool = False
     #: Why there may be more than what was made, and where.
@@ -152,10 +153,7 @@ class Walk:
     #: How much was made when something last was, and the steps until then (``follow.barren``).
     last: tuple[int, int] = 0, 0
     #: What each callback writes by itself, as far as they have been rehearsed.
-    effects: list[Writes] = field(default_factory=list)
-    #: What the first *joined* of them leave behind, joined.
-    together: Writes = field(default_factory=dict)
-    joined: int = 0
+    effects: Effects = field(default_factory=Effects)
     #: Why what is made now may not be made at all, where no statement is the condition.
     doubts: list[str] = field(default_factory=list)
     news: int = 0  #: how often what was made already was made on a way that changes its conditions
