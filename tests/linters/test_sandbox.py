@@ -120,9 +120,16 @@ def test_a_tool_does_not_outlive_us_even_if_we_are_killed(tmp_path: Path) -> Non
     until(lambda: (tmp_path / "leader").exists() and (tmp_path / "leader").read_text().strip() != "")
     pids = [int((tmp_path / name).read_text()) for name in ("leader", "child")]
     assert all(map(is_running, pids))
+    until(lambda: is_tied(pids[0]))  # which the parent sees to when the process has begun
     parent.send_signal(signal.SIGKILL)
     parent.wait()
     until(lambda: not any(map(is_running, pids)))
+
+
+def is_tied(process: int) -> bool:
+    """Whether a process has a file that sends it a signal when something happens to it (``O_ASYNC``; proc(5), fdinfo)."""
+    infos = [info.read_text() for info in Path(f"/proc/{process}/fdinfo").iterdir()]
+    return any(int(info.partition("flags:")[2].split()[0], 8) & os.O_ASYNC for info in infos)
 
 
 def is_running(process: int) -> bool:
