@@ -29,6 +29,7 @@ from haros_ci.linters.pylint_statements import (
     is_counted_up,
     is_index_of_array,
     is_of_another,
+    is_of_nan_itself,
     is_one_text,
     is_surplus,
     is_test_for_nan,
@@ -125,8 +126,8 @@ def is_refuted(rule: str, line: int, column: int, text: str) -> bool:  # noqa: C
         return gives_names(text)
     if rule == "bad-super-call":
         return is_of_another(text, line)
-    if rule == "comparison-with-itself":
-        return is_test_for_nan(text, line)
+    if rule in ("comparison-with-itself", "nan-comparison"):
+        return is_test_for_nan(text, line) if rule == "comparison-with-itself" else is_of_nan_itself(text, line)
     if rule == "function-redefined":
         return is_used_before(text, line) or is_instead_of_import(text, line) or loses_nothing(text, line)
     if rule == "modified-iterating-dict":
