@@ -300,6 +300,7 @@ def test_a_file_that_git_ignores_is_made_elsewhere(
 
 OWN = '<arg name="robot" default="$(var robot)"/>'
 READS = '<launch><node pkg="demo" exec="n" namespace="$(var robot)"/></launch>\n'
+SIMILAR = READS.replace("<node", '<arg name="robots" default=""/><node')
 
 
 @pytest.mark.parametrize(
@@ -310,6 +311,15 @@ READS = '<launch><node pkg="demo" exec="n" namespace="$(var robot)"/></launch>\n
         ({"README.md": "ros2 launch demo a.launch.xml robot:=r1\n"}, Level.NOTE),
         ({"run.sh": "ros2 launch demo a.launch.xml robot:=$1\n"}, Level.NOTE),
         ({"launch/a.launch.xml": f"<!-- robot:=NAME is needed -->\n{READS}"}, Level.NOTE),
+        ({"launch/a.launch.xml": f"<!--\n  Copyright 2016 The Mapping Authors\n-->\n{READS}"}, Level.NOTE),
+        (
+            {"launch/a.launch.xml": f"<?xml version='1.0'?>\n<!-- Copyright (c) 2016, Mapping, Inc. -->\n{READS}"},
+            Level.NOTE,
+        ),
+        ({"launch/a.launch.xml": f"<!-- Copyright 2016 The Robot Authors -->\n{READS}"}, Level.WARNING),
+        ({"launch/a.launch.xml": f"<!-- Copyright 2016 The Rclcpp Authors -->\n{READS}"}, Level.WARNING),
+        ({"launch/a.launch.xml": f"<!-- Maps. -->\n{READS}<!-- Copyright 2016 Mapping -->\n"}, Level.WARNING),
+        ({"launch/a.launch.xml": f"<!-- Copyright 2016 Mapping, 2020 -->\n{SIMILAR}"}, Level.ERROR),
         ({"launch/a.launch.xml": READS.replace("<node", '<arg name="robots" default=""/><node')}, Level.ERROR),
         ({"launch/a.launch.xml": READS.replace("</launch>", '<arg name="robot" default=""/></launch>')}, Level.ERROR),
         ({"launch/a.launch.xml": READS.replace("<node", f"{OWN}<node")}, Level.WARNING),

@@ -19,7 +19,7 @@ CHANGE: tuple[tuple[tuple[str, ...], str, str], ...] = (
         "tests/checking/test_unreached.py::test_levels",
     ),
     (
-        ("pages and scripts that show `name:=…`",),
+        ("pages and scripts that show `name:=…`", "a copyright of somebody else at the head of the launch file"),
         "unset-launch-argument of that argument is a note",
         "tests/test_check_levels.py::test_a_launch_configuration_that_the_command_line_can_give",
     ),
