@@ -144,6 +144,11 @@ CHANGE: tuple[tuple[tuple[str, ...], str, str], ...] = (
         "tests/checking/test_set_aside.py::test_in_an_archive",
     ),
     (
+        ("a comment that asks for `your code` in a block without a statement, in Python that nothing names",),
+        "syntax-error (pylint) for that block",
+        "tests/linters/test_pylint_surroundings.py::test_exercises",
+    ),
+    (
         ("pages, scripts and manifests that name Noetic, Ubuntu 20.04 or Python 3, scripts that ask for `python3`",),
         "syntax-error (pylint) for tabs among blanks, where nothing in a workspace of ROS 1 does",
         "tests/linters/test_pylint_surroundings.py::test_tabs_of_python_2",
