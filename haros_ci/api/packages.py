@@ -140,6 +140,7 @@ from haros_ci.checking.uninstalled import (
     uninstalled,
 )
 from haros_ci.checking.unreached import unreached
+from haros_ci.checking.unread_values import unread_parameter
 from haros_ci.checking.using import Using
 from haros_ci.checking.whole import repositories_named
 from haros_ci.checking.worlds import dependency_tag, serves_both
@@ -331,5 +332,6 @@ __all__ = [
     "used_by_launch_files",
     "variant",
     "word",
+    "unread_parameter",
     "writer_of",
 ]
