@@ -221,3 +221,25 @@ def test_what_launch_does_without_a_file_in_xml(text: str, words: str, tmp_path:
     files = {"walk.cpp": WALK.format("1.0"), "launch/a.launch.xml": launch, "config/other.yaml": ""}
     ((_, message),) = messages("parameter-file-missing", files, tmp_path)
     assert words in message
+
+
+@pytest.mark.parametrize(
+    ("finds", "words"),
+    [
+        ("find_package(PkgConfig REQUIRED)\npkg_check_modules(YAML REQUIRED yaml-cpp)\n", "<depend>yaml-cpp</depend>"),
+        ("find_package(yaml-cpp REQUIRED)\n", "<depend>yaml-cpp</depend>"),
+        ("", "<depend>yaml_cpp_vendor</depend>"),
+        (
+            "find_package(PkgConfig REQUIRED)\npkg_check_modules(XML REQUIRED libxml-2.0)\n",
+            "<depend>yaml_cpp_vendor</depend>",
+        ),
+        ("# find_package(yaml-cpp)\n", "<depend>yaml_cpp_vendor</depend>"),
+    ],
+)
+def test_what_cmake_asks_the_system_for(finds: str, words: str, tmp_path: Path) -> None:
+    files = {
+        "CMakeLists.txt": CMAKE.replace("add_executable", f"{finds}add_executable"),
+        "walk.cpp": f"#include <yaml-cpp/yaml.h>\n{WALK.format('1.0')}",
+    }
+    found = [message for _, message in messages("undeclared-dependency", files, tmp_path)]
+    assert len(found) == 1 and words in found[0]
