@@ -83,7 +83,7 @@ _COMMON = frozenset(
 )
 _OF_ROS = regex(
     r"\b(?:rospy|rclpy|rclcpp\w*|roslib|roscpp|rosbag\w*|nodelet|pluginlib|cv_bridge|dynamic_reconfigure|ament_\w+|catkin\w*|\w+_(?:msgs|srvs|interfaces))\b"
-    r"|[<\"]ros/"
+    r"|[<\"]ros/|\b(?:from|import)[ \t]+(?:launch(?:_ros)?\b|[\w.]+\.(?:msg|srv|action)[ \t]+import\b)"
 )
 _PARTS = regex(
     r"^[ \t]*(?:#[ \t]*include[ \t]*[<\"]([^>\"\n]{1,200})|from[ \t]+\.*([\w.]*)[ \t]+import\b[ \t]*(\w*)|import[ \t]+([\w., \t]{1,200}))",
