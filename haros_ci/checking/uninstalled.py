@@ -78,7 +78,7 @@ def installs_nothing(package: ProjectPackage) -> bool:
     """
     if not package.build.commands or not package.cmake.is_whole or package.cmake.installs_unknown:
         return False
-    bundled = _bundled(package)
+    bundled = package.project.sources.once(("bundled", package.path), lambda: _bundled(package))
     return not (
         any(not install.command.location.path.startswith(bundled) for install in package.cmake.installs)
         or any(not one.path.startswith(bundled) for one in package.build.installed)

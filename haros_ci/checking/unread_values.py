@@ -4,19 +4,27 @@
 from __future__ import annotations
 
 import re
+from weakref import WeakKeyDictionary
 
 from haros_ci.checking.system import System
+from haros_ci.checking.whole import Whole
 from haros_ci.regex import regex
 
 #: Files of code that are looked at; where there are more, nothing is known.
 _MOST = 3_000
+#: Uses of an argument that are looked at.
+_MOST_USES = 20
 _PARAM = regex(r"<param\b([^<>]{0,1000})>")
 _NAME = regex(r"""\bname\s*=\s*["']([\w/~]{1,200})["']""")
 _NODE = regex(r"""<(/?)node\b([^<>]{0,2000}?)(/?)>""")
 _PACKAGE = regex(r"""\bpkg\s*=\s*["']([\w-]{1,200})["']""")
+_WORD = regex(r"[A-Za-z_]\w*")
 _COMMENT = regex(r"<!--.*?(?:-->|\Z)", re.DOTALL)
 #: What may use an argument without ``$(arg …)``.
 _OTHERWISE = regex(r"\$\(eval\b|\bpass_all_args\b")
+
+#: The words of all code, by what is known of the whole workspace.
+_words: WeakKeyDictionary[Whole, frozenset[str]] = WeakKeyDictionary()
 
 
 def unread_parameter(system: System, path: str, argument: str) -> str:
@@ -27,7 +35,7 @@ def unread_parameter(system: System, path: str, argument: str) -> str:
     read = re.compile(rf"\$\(arg[ \t]+{re.escape(argument)}[ \t]*\)")
     uses = sum(1 for _ in read.finditer(text))
     given = [found for found in _PARAM.finditer(text) if read.search(found[1])]
-    if not uses or len(given) != uses or _OTHERWISE.search(text):
+    if not 0 < uses <= _MOST_USES or len(given) != uses or _OTHERWISE.search(text):
         return ""
     names: set[str] = set()
     for found in given:
@@ -49,11 +57,13 @@ def _is_of_ours(system: System, text: str, place: int) -> bool:
 
 
 def _is_in_code(system: System, name: str) -> bool:
-    workspace = system.workspace
-    files = (
-        [file.path for file in workspace.files if file.language in ("cpp", "python")] if workspace is not None else []
-    )
-    if workspace is None or not files or len(files) > _MOST:
-        return True
-    word = re.compile(rf"\b{re.escape(name)}\b")
-    return any(name in (text := workspace.text(path)) and word.search(text) for path in files)
+    """Whether any code of the workspace has the word *name*; where there is too much of it, or none, it may."""
+    whole = system.whole
+    if whole not in _words:
+        workspace = system.workspace
+        files = [one.path for one in workspace.files if one.language in ("cpp", "python")] if workspace else []
+        words: set[str] = set()
+        for path in files if workspace is not None and len(files) <= _MOST else ():
+            words.update(_WORD.findall(workspace.text(path)) if workspace is not None else ())
+        _words[whole] = frozenset(words)
+    return not _words[whole] or name in _words[whole]

@@ -23,7 +23,7 @@ _GENERATED = (
     r"(?:_?<[^<>;{{}}]{{0,80}}>|::(?:SharedPtr|UniquePtr)|Ptr)?\s*(?:[&*]\s*)?{name}\b"
 )
 #: A message itself, with the name of its package or in one for messages of any name.
-_OF_MESSAGE = rf"(?:\b\w+::(?:msg|srv|action)::\w+\s*[&*]?\s*{{name}}\b|{_GENERATED})"
+_OF_MESSAGE = rf"(?:\b\w+::(?:msg|srv|action)::\w+\s*(?:[&*]\s*)?{{name}}\b|{_GENERATED})"
 #: A field that is given the text of something: ``msg->header.frame_id = make().c_str();``
 _GIVEN = regex(r"\b([A-Za-z_]\w*)(?:(?:\.|->)\w{1,60}){1,6}\s*=(?!=)[^;{}=]{1,600}\.\s*(?:c_str|data)\s*\(\s*\)\s*;")
 _WORD = regex(r"[A-Za-z_]\w*")

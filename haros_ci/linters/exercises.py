@@ -20,6 +20,8 @@ _IMPORT = regex(r"^[ \t]*(?:from|import)\b[^\n]*", re.MULTILINE)
 #: Lines above the place that are looked at.
 _NEAR = 40
 _LONGEST = 400
+#: Files of a workspace that are looked at; in a larger one any may be named.
+_MOST = 3_000
 
 
 def is_exercise(path: str, line: int, message: str, workspace: Workspace) -> bool:
@@ -39,6 +41,8 @@ def is_exercise(path: str, line: int, message: str, workspace: Workspace) -> boo
 
 def _is_named(path: str, workspace: Workspace) -> bool:
     """Whether a launch file, CMake or setup.py has the name of the file, or Python imports it."""
+    if len(workspace.files) > _MOST:
+        return True
     name = path.rpartition("/")[2]
     stem = re.compile(rf"\b{re.escape(name.removesuffix('.py'))}\b")
     for file in workspace.files:
