@@ -11,6 +11,7 @@ import re
 
 from haros_ci.linters.class_methods import is_class_method, takes_value
 from haros_ci.linters.decorated import is_decorated
+from haros_ci.linters.nan_itself import is_of_nan_itself
 from haros_ci.linters.pylint_definitions import is_of_renamed, loses_nothing
 from haros_ci.linters.pylint_idioms import (
     is_choice_of_calls,
@@ -29,7 +30,6 @@ from haros_ci.linters.pylint_statements import (
     is_counted_up,
     is_index_of_array,
     is_of_another,
-    is_of_nan_itself,
     is_one_text,
     is_surplus,
     is_test_for_nan,
