@@ -16,6 +16,9 @@ _SHOWN = 40
 MANY = 4
 _SUFFIXES = (".stl", ".dae", ".obj", ".glb", ".gltf", ".ply", ".fbx", ".3ds", ".mesh")
 
+#: Endings of archives that a mesh may be packed into.
+_ARCHIVES = (".zip", ".7z", ".rar", ".tar.gz", ".tgz", ".tar.xz", ".gz")
+
 
 def check(project: Project) -> Iterator[Finding]:
     yield from together(_found(project))
@@ -65,7 +68,11 @@ def _finding(
         related=tuple(also)[:_SHOWN],
         flow=lead(description, mesh.way),
         apart=(mesh.filename or "",),
-        level=Level.NOTE if not mesh.is_missing or left_over else Level.ERROR if mesh.certain else None,
+        level=Level.NOTE
+        if not mesh.is_missing or left_over or _packed(mesh, project)
+        else Level.ERROR
+        if mesh.certain
+        else None,
     )
 
 
@@ -161,7 +168,7 @@ def fault(mesh: Mesh, project: Project, meshes: list[str]) -> str:
             return ""  # a package whose meshes come from elsewhere
         return (
             f"the mesh {mesh.filename} does not exist: the link is not displayed, and collision checks "
-            f"fail{_of_another_format(mesh, project, meshes) or meant(mesh.similar) or '; add the file, or correct its path'}"
+            f"fail{_packed(mesh, project) or _of_another_format(mesh, project, meshes) or meant(mesh.similar) or '; add the file, or correct its path'}"
         )
     if mesh.path is not None and mesh.path.lower().endswith(".stl") and is_disguised(project.workspace.head(mesh.path)):
         name = mesh.path.rpartition("/")[2]
@@ -170,6 +177,17 @@ def fault(mesh: Mesh, project: Project, meshes: list[str]) -> str:
             "compare the size parses it as text and loads no geometry; export it with another header"
         )
     return ""
+
+
+def _packed(mesh: Mesh, project: Project) -> str:
+    """What to do where an archive of the same name lies where the mesh is looked for: whoever has the package is to unpack it."""
+    folder, name = _folder(mesh, project), (mesh.filename or "").rpartition("/")[2]
+    stem = name.rpartition(".")[0]
+    if not folder or not stem:
+        return ""
+    names = (f"{begin}{ending}" for begin in (stem, name) for ending in _ARCHIVES)
+    archive = next((one for one in names if f"{folder.rstrip('/')}/{one}" in project.workspace.names), "")
+    return f"; {archive} beside it may hold it: add what is in it, or say that it is to be unpacked" if archive else ""
 
 
 def _of_another_format(mesh: Mesh, project: Project, meshes: list[str]) -> str:

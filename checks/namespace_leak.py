@@ -53,6 +53,7 @@ def _is_global(end: End) -> bool:
         or end.implicit
         or not end.in_source
         or end.name != end.original_name
+        or _may_be_another(end)
     ):
         return False
     space = _namespace(end)
@@ -62,6 +63,12 @@ def _is_global(end: End) -> bool:
         not (other.raw.written or "/").startswith(("/", "~", "?")) and other.original_name.startswith(f"{space}/")
         for other in end.node.of("publishers", "subscribers", "servers", "clients", "action_servers", "action_clients")
     )
+
+
+def _may_be_another(end: End) -> bool:
+    """Whether it has another name besides, for the same call: one way of the code may give it its number, the other one that of the node."""
+    others = end.node.of(end.kind) if any(one.field == "conditions" for one in end.raw.unknowns) else ()
+    return any(other.location == end.location and other.original_name != end.original_name for other in others)
 
 
 def _is_beside_its_own(end: End, space: str) -> bool:

@@ -7,7 +7,7 @@ import re
 from collections.abc import Iterator
 
 from haros_ci.api import Check, Finding, Level, Location, System
-from haros_ci.api.launch import FileUse, ParameterFileUse
+from haros_ci.api.launch import FileUse, ParameterFileUse, meant
 from haros_ci.api.packages import is_ignored, writer_of
 
 
@@ -18,13 +18,7 @@ def check(system: System) -> Iterator[Finding]:
             continue
         program = "/".join(use.program)
         is_loaded = any(node.kind == "component" and node.type == program for node in system.nodes)
-        what = (
-            f"launch cannot start {use.node or program}"
-            if is_loaded
-            else f"launch prints a warning and starts {use.node or program} without these parameters"
-        )
-        meant = next(iter(similar.get(use.location, ())), None)
-        hint = f"; did you mean {meant}?" if meant else "; correct the path, or add the file"
+        hint = meant(similar.get(use.location, ())) or "; correct the path, or add the file"
         is_made = system.workspace is not None and use.path is not None and is_ignored(system.workspace, use.path)
         if is_made:
             hint = "; .gitignore names it, so that it may be made elsewhere"
@@ -33,13 +27,24 @@ def check(system: System) -> Iterator[Finding]:
         at = _named(system, use)
         yield Finding(
             at=at,
-            message=f"the parameter file {use.text} does not exist: {what}{hint}",
+            message=f"the parameter file {use.text} does not exist: {_effect(use, use.node or program, is_loaded)}{hint}",
             about=(use.text, program),
             related=((use.location, f"{use.node or program} gets the file here"),) if at != use.location else (),
             flow=tuple((place, "includes the next one") for place in use.included),
             level=Level.NOTE if is_made else None,
             presence=use.presence,
         )
+
+
+def _effect(use: ParameterFileUse, node: str, is_loaded: bool) -> str:
+    """What launch does without the file; it opens one with substitutions before it looks for it (launch_ros, parameter_descriptions.py)."""
+    if use.substitutes:
+        return (
+            f"launch stops here, as it opens the file for the substitutions in it (allow_substs), and starts no {node}"
+        )
+    if is_loaded:
+        return f"launch cannot start {node}"
+    return f"launch prints a warning and starts {node} without these parameters"
 
 
 def _named(system: System, use: ParameterFileUse) -> Location:

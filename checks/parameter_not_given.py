@@ -213,7 +213,10 @@ def _may_be_set(system: System, node: SystemNode, key: str) -> bool:
         other_name = parameter.name
         if "?" in other_name:
             shape = ".*".join(map(re.escape, other_name.split("?")))
-            if re.fullmatch(shape, name) or name.startswith(other_name.partition("?")[0]):
+            begin = other_name.partition("?")[
+                0
+            ]  # of a file that is not known, in a namespace: that is read as a dictionary, too
+            if re.fullmatch(shape, name) or name.startswith(begin) or begin.startswith(f"{name}/"):
                 return True
         elif other_name == name or name.startswith(f"{other_name.rstrip('/')}/") or other_name.startswith(f"{name}/"):
             return True

@@ -6,9 +6,16 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from haros_ci.api import Check, Edit, Finding, Fix, Level, Location, Project, ProjectPackage, is_slip, regex
+from haros_ci.api import Check, Edit, Finding, Fix, Level, Location, Project, ProjectPackage, is_slip, listed, regex
 from haros_ci.api.launch import ProgramUse
-from haros_ci.api.packages import EntryPoint, entry_point_mistake, lost_imports, renamed_module
+from haros_ci.api.packages import (
+    EntryPoint,
+    entry_point_mistake,
+    is_own_module,
+    lost_imports,
+    moved_module,
+    renamed_module,
+)
 
 _MARKERS = "share/ament_index/resource_index/packages"
 _NODE = regex(r"\brclpy\.(?:init|spin\w*|create_node)\(|\((?:\w+\.)*(?:Lifecycle)?Node\)\s*:")
@@ -41,7 +48,8 @@ def check(project: Project) -> Iterator[Finding]:
 
 
 def _entry_points(package: ProjectPackage) -> Iterator[Finding]:
-    """``name = module:function``: the module's file, and the function in it."""
+    """``name = module:function``: the module's file, and the function in it; modules that are not there are one finding of a file."""
+    lost: dict[str, list[tuple[EntryPoint, Finding]]] = {}
     for entry_point in package.build.entry_points:
         if package.raw.build_type == "ament_cmake" and entry_point.location.path.endswith("setup.py"):
             continue  # left over: ament_python_install_package() reads setup.cfg alone
@@ -49,10 +57,18 @@ def _entry_points(package: ProjectPackage) -> Iterator[Finding]:
             missing = _missing_name(entry_point, package)
             if missing is not None:
                 yield missing
-        elif _is_own(entry_point.module, package):
-            yield _missing_module(entry_point, package)
+        elif is_own_module(entry_point.module, package):
+            found = _missing_module(entry_point, package)
+            lost.setdefault("" if "; write " in found.message else entry_point.location.path, []).append(
+                (entry_point, found)
+            )
         elif name := renamed_module(entry_point.module, package):
             yield _missing_module(entry_point, package, name)
+    for path, group in lost.items():
+        if path and len(group) > 1:
+            yield _missing_modules([entry_point for entry_point, _ in group], package)
+        else:
+            yield from (found for _, found in group)
     for entry in package.build.refused_entries if package.raw.build_type == "ament_python" else ():
         wrong, right = entry_point_mistake(entry.text, package)
         yield Finding(
@@ -67,35 +83,6 @@ def _entry_points(package: ProjectPackage) -> Iterator[Finding]:
 def _is_there(path: str, package: ProjectPackage) -> bool:
     """Whether the root-relative *path* exists, or is in a submodule that is not checked out."""
     return package.project.exists(path) or package.project.is_absent(path)
-
-
-def _is_own(module: str, package: ProjectPackage) -> bool:
-    """Whether the module is to be one of the package: the package that it is in has other modules here."""
-    top = module.partition(".")[0]
-    roots = [directory for name, directory in package.build.python_roots if name in ("", top)]
-    inner = module.replace(".", "/")
-    if any(package.project.is_absent(inner if root == "." else f"{root}/{inner}") for root in roots):
-        return False
-    if any(path == top or path.startswith(f"{top}/") for path in _below(roots, package)):
-        return not any(module.startswith(name) for name in _generated(package))
-    return top == package.name and package.project.package(top) is not None and bool(roots)
-
-
-def _below(roots: list[str], package: ProjectPackage) -> Iterator[str]:
-    for root in roots:
-        prefix = "" if root == "." else f"{root}/"
-        for file in package.files:
-            if file.language == "python" and file.path.startswith(prefix):
-                yield file.path.removeprefix(prefix)
-
-
-def _generated(package: ProjectPackage) -> tuple[str, ...]:
-    """The modules that the build makes."""
-    return tuple(
-        f"{package.name}.{parameter_library.name}"
-        for parameter_library in package.build.parameter_libraries
-        if parameter_library.language == "python"
-    )
 
 
 def _missing_module(entry_point: EntryPoint, package: ProjectPackage, other: str = "") -> Finding:
@@ -125,12 +112,31 @@ def _missing_module(entry_point: EntryPoint, package: ProjectPackage, other: str
     )
 
 
+def _missing_modules(entries: list[EntryPoint], package: ProjectPackage) -> Finding:
+    """One finding for several programs of which no module is there: what has moved, or was not committed, is one slip."""
+    names, modules = tuple(one.name for one in entries), list(dict.fromkeys(one.module for one in entries))
+    moved = list(filter(None, (moved_module(module, package) for module in modules)))
+    hint = f" ({listed(moved)} have the names)" if len(moved) > 1 else ""
+    return Finding(
+        at=entries[0].location,
+        message=f"programs {listed(list(names))} of package {package.name} cannot start: the modules {listed(modules)} do "
+        f"not exist{hint}; add them, or correct or remove the entry points",
+        about=(package.name, *names),
+        apart=names,
+        related=tuple((one.location, f"{one.module}, too") for one in entries[1:]),
+    )
+
+
 def _outside(entry_point: EntryPoint, package: ProjectPackage) -> str:
     """Where the module's file is, if it is in the package of ROS but not in that of Python: in ``scripts`` beside it."""
     inner = entry_point.module.partition(".")[2].replace(".", "/")
-    path = package.inside(f"{inner}.py")
-    if not inner or not package.project.exists(path):
-        return "; add it, or remove the entry point"
+    if not inner or not package.project.exists(package.inside(f"{inner}.py")):
+        moved = moved_module(entry_point.module, package)
+        return (
+            f"; {moved} has its name: correct the entry point, or move it back"
+            if moved
+            else "; add it, or remove the entry point"
+        )
     place = f"{entry_point.module.replace('.', '/')}.py"
     return f": {inner}.py is not in the Python package; move it to {place}"
 

@@ -50,6 +50,7 @@ from haros_ci.api.packages import (
 #: So many places of one module are related.
 _SHOWN = 3
 _PIP = regex(r"\bpip3?\s+install\s+([^;&|]*)")
+_PYTHON2 = regex(r"#![^\n]*\bpython2(?:\.\d)?\b")
 _KEY = regex(r"^python3?-|-pip$")
 
 
@@ -58,7 +59,7 @@ class _UndeclaredModule:
     """A package that is not declared: what to declare, *others* that would do as well, and the modules of it that are imported.
 
     *pin* is where pip is asked for a version of it, *left* where the package leaves it to pip on purpose. *is_idle* says that nothing which runs
-    imports it.
+    imports it, *is_older* that scripts for Python 2 do, for which there is no key any more.
     """
 
     name: str
@@ -68,6 +69,7 @@ class _UndeclaredModule:
     pin: Location | None
     left: Location | None = None
     is_idle: bool = False
+    is_older: bool = False
 
     @property
     def modules(self) -> tuple[str, ...]:
@@ -136,7 +138,7 @@ def _is_named(need: Need, package: ProjectPackage) -> bool:
 def _missing(
     package: ProjectPackage, uses: list[Need], pins: Mapping[str, Location], left: Mapping[str, Location]
 ) -> _UndeclaredModule:
-    name = first_provider(uses[0].providers, package)
+    name = _of_its_python(first_provider(uses[0].providers, package), uses, package)
     others = others_of(uses[0].providers, name, package)
     is_certain = not others and is_of_ros(name, package.project)
     if name.startswith(("python3-", "python-")) and not name.endswith("-pip"):
@@ -146,7 +148,20 @@ def _missing(
     by_pip = next((left[item] for item in called if item in left), None)
     if any(is_of_ros(provider, package.project) for provider in uses[0].providers):
         by_pip = None  # pip has no packages of ROS
-    return _UndeclaredModule(name, tuple(others), tuple(uses), is_certain, pin, by_pip)
+    is_older = _lacks_python3(name, uses, package)
+    return _UndeclaredModule(name, tuple(others), tuple(uses), is_certain, pin, by_pip, is_older=is_older)
+
+
+def _of_its_python(name: str, uses: list[Need], package: ProjectPackage) -> str:
+    """The key for Python 2 in place of *name* where only scripts that ask for that Python import the module, and rosdep has such a key."""
+    older = f"python-{name.removeprefix('python3-')}"
+    return older if older in uses[0].providers and _lacks_python3(name, uses, package) else name
+
+
+def _lacks_python3(name: str, uses: list[Need], package: ProjectPackage) -> bool:
+    """Whether *name* is a key for Python 3, and all that imports the module are scripts that ask for Python 2."""
+    is_key = package.ros == 1 and name.startswith("python3-")
+    return is_key and all(_PYTHON2.match(package.project.text(use.location.path)) for use in uses)
 
 
 def _by_pip(package: ProjectPackage) -> Iterator[str]:
@@ -234,7 +249,8 @@ def _alternative(missing: _UndeclaredModule, is_told: bool) -> str:
     pin = ""
     if missing.pin is not None and not is_told:
         pin = f", unless pip is to install it: {line_of(missing.pin)} asks for a version"
-    return (f" (or {', '.join(missing.others)})" if missing.others else "") + pin
+    older = " (of Python 3: make the scripts, which ask for Python 2, ask for it, too)" if missing.is_older else ""
+    return older + (f" (or {', '.join(missing.others)})" if missing.others else "") + pin
 
 
 def _places(missing: _UndeclaredModule) -> Iterator[tuple[Location, str]]:

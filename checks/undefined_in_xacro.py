@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from haros_ci.api import Check, Finding, Level, Location, Project, regex
 from haros_ci.api.launch import meant
 from haros_ci.api.packages import Element
-from haros_ci.api.robots import Description, Fault, descriptions, is_by_itself, lead, together
+from haros_ci.api.robots import Description, Fault, descriptions, is_by_itself, is_left_over, lead, together
 
 #: What whoever includes a file may define.
 _FROM_OUTSIDE = ("property", "argument", "macro", "block")
@@ -84,6 +84,7 @@ def _expanded(project: Project) -> Iterator[Finding]:
         if faults and not description.command and not _is_for_xacro(description.robot.path, project):
             continue
         plain = _plain_properties(project, description, faults)
+        left_over = bool(faults) and not description.command and is_left_over(description.robot.path, project)
         for number, fault in enumerate(faults):
             text = "" if description.ros == 1 and fault.defined_later else message(fault, description)
             if fault.kind == "property" and fault.name in plain:
@@ -109,7 +110,11 @@ def _expanded(project: Project) -> Iterator[Finding]:
                     related=((fault.location, f"reads $(arg {fault.name})"),) if is_given else again,
                     flow=() if is_given else flow(fault, description),
                     apart=(fault.kind, fault.name),
-                    level=Level.WARNING if fault.kind == "unprefixed" and description.ros == 1 else None,
+                    level=Level.NOTE
+                    if left_over
+                    else Level.WARNING
+                    if fault.kind == "unprefixed" and description.ros == 1
+                    else None,
                 )
 
 

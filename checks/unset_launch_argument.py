@@ -36,7 +36,9 @@ def check(system: System) -> Iterator[Finding]:
         # Both launchers set what the command line gives, declared or not; ROS 1 for the launched file alone.
         is_settable = not read.similar and (read.ros == 2 or not read.included)
         unless = f", unless '{read.name}:=…' is given; declare it" if is_settable else ""
-        is_given = is_settable and system.whole.is_shown(read.name, read.location.path)
+        is_given = is_settable and (
+            system.whole.is_shown(read.name, read.location.path) or system.whole.is_of_others(read.location.path)
+        )
         yield Finding(
             at=read.location,
             message=f"{how} is read, but never declared or set: launch stops here{unless}{meant(read.similar)}",

@@ -300,6 +300,7 @@ def test_a_file_that_git_ignores_is_made_elsewhere(
 
 OWN = '<arg name="robot" default="$(var robot)"/>'
 READS = '<launch><node pkg="demo" exec="n" namespace="$(var robot)"/></launch>\n'
+SIMILAR = READS.replace("<node", '<arg name="robots" default=""/><node')
 
 
 @pytest.mark.parametrize(
@@ -310,6 +311,15 @@ READS = '<launch><node pkg="demo" exec="n" namespace="$(var robot)"/></launch>\n
         ({"README.md": "ros2 launch demo a.launch.xml robot:=r1\n"}, Level.NOTE),
         ({"run.sh": "ros2 launch demo a.launch.xml robot:=$1\n"}, Level.NOTE),
         ({"launch/a.launch.xml": f"<!-- robot:=NAME is needed -->\n{READS}"}, Level.NOTE),
+        ({"launch/a.launch.xml": f"<!--\n  Copyright 2016 The Mapping Authors\n-->\n{READS}"}, Level.NOTE),
+        (
+            {"launch/a.launch.xml": f"<?xml version='1.0'?>\n<!-- Copyright (c) 2016, Mapping, Inc. -->\n{READS}"},
+            Level.NOTE,
+        ),
+        ({"launch/a.launch.xml": f"<!-- Copyright 2016 The Robot Authors -->\n{READS}"}, Level.WARNING),
+        ({"launch/a.launch.xml": f"<!-- Copyright 2016 The Rclcpp Authors -->\n{READS}"}, Level.WARNING),
+        ({"launch/a.launch.xml": f"<!-- Maps. -->\n{READS}<!-- Copyright 2016 Mapping -->\n"}, Level.WARNING),
+        ({"launch/a.launch.xml": f"<!-- Copyright 2016 Mapping, 2020 -->\n{SIMILAR}"}, Level.ERROR),
         ({"launch/a.launch.xml": READS.replace("<node", '<arg name="robots" default=""/><node')}, Level.ERROR),
         ({"launch/a.launch.xml": READS.replace("</launch>", '<arg name="robot" default=""/></launch>')}, Level.ERROR),
         ({"launch/a.launch.xml": READS.replace("<node", f"{OWN}<node")}, Level.WARNING),
@@ -767,3 +777,34 @@ def test_what_roslaunch_passes_over_and_what_stops_it(tags: str, expected: Level
     (found,) = said(check, Example("", True, files), tmp_path)
     assert found.level == expected
     assert text in found.message
+
+
+OF_NODE = (
+    "cmake_minimum_required(VERSION 3.0)\nproject(demo)\nfind_package(catkin REQUIRED)\ncatkin_package()\n"
+    "add_subdirectory(extern/serial)\nadd_executable(talker talker.cpp)\n"
+)
+SERIAL = "cmake_minimum_required(VERSION 3.0)\nproject(serial)\nadd_library(serial a.cpp)\ninstall(TARGETS serial DESTINATION lib)\n"
+
+
+@pytest.mark.parametrize(
+    ("manifest", "more", "expected"),
+    [
+        ("extern/serial/package.xml", "", Level.NOTE),
+        ("elsewhere/serial/package.xml", "", Level.WARNING),
+        ("extern/serial/package.xml", "install(FILES talker.cpp DESTINATION share/demo)\n", Level.WARNING),
+    ],
+)
+def test_a_package_of_which_a_library_in_it_alone_is_installed(
+    manifest: str, more: str, expected: Level, tmp_path: Path
+) -> None:
+    files = {
+        "package.xml": ROS1.replace("rospy", "roscpp"),
+        "CMakeLists.txt": OF_NODE + more,
+        "talker.cpp": '#include <ros/ros.h>\nint main(int c, char ** v)\n{\n  ros::init(c, v, "t");\n  ros::NodeHandle n;\n}\n',
+        "launch/a.launch": '<launch><node pkg="demo" type="talker" name="t"/></launch>\n',
+        "extern/serial/CMakeLists.txt": SERIAL,
+        "extern/serial/a.cpp": "int a;\n",
+        manifest: ROS1.replace("demo", "serial"),
+    }
+    found = said(next(one for one in checks() if one.id == "target-not-installed"), Example("", True, files), tmp_path)
+    assert [one.level for one in found if "talker" in one.message] == [expected]

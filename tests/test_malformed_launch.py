@@ -184,3 +184,25 @@ def test_what_roslaunch_refuses(tag: str, tmp_path: Path) -> None:
 )
 def test_what_roslaunch_takes_or_may_never_read(tag: str, tmp_path: Path) -> None:
     assert found(tmp_path, "a.launch", f'<launch>\n<arg name="a" default="1"/>\n{tag}\n</launch>\n', ros=1) == []
+
+
+PARAMETER = '<launch>\n  <param name="a" value="b"/>\n</launch>\n'
+
+
+@pytest.mark.parametrize(
+    ("text", "others", "expected"),
+    [
+        (PARAMETER, 3, 0),  # foreign-launch-construct tells of the package
+        (PARAMETER.replace("param name", "remap from").replace("value", "to"), 3, 0),
+        (PARAMETER, 2, 1),
+        (PARAMETER, 0, 1),
+        (PARAMETER.replace("param", "parma"), 3, 1),
+        (PARAMETER.replace("launch", "lunch"), 3, 0),
+    ],
+)
+def test_parameters_of_ros_1_beside_others_of_it(text: str, others: int, expected: int, tmp_path: Path) -> None:
+    (tmp_path / "old").mkdir()
+    for number in range(others):
+        old = f'<launch><include file="$(find p)/{number}.launch"/></launch>\n'
+        (tmp_path / "old" / f"{number}.launch").write_text(old, encoding="utf-8")
+    assert len(found(tmp_path, "a.launch.xml", text)) == expected

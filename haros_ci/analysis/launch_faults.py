@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator
+from itertools import islice
 
 from haros_ci.launch.ros1 import dialect
 from haros_ci.linters.python2 import is_newer
@@ -16,6 +17,9 @@ from haros_ci.regex import regex
 _OF_ROS1 = regex(
     r"\$\((?:find|arg|optenv)\s|<(?:rosparam|test|machine|master)\b|<(?:node|test)\b[^<>]*\stype\s*=|\bclear_params\s*="
 )
+#: A parameter or remapping for what comes after it, as ROS 1 alone has it; so many files of ROS 1 beside it say that it is a leftover, too.
+_FOR_OTHERS = regex(r"launch knows no <(?:param|remap)> here")
+_MANY = 3
 _YAML = (".launch.yaml", ".launch.yml", "_launch.yaml", "_launch.yml")
 _PYTHON = (".launch.py", "_launch.py", "-launch.py")
 #: How an extension of launch registers a tag (launch/frontend/expose.py).
@@ -58,6 +62,7 @@ def refused(workspace: Workspace) -> Iterator[Problem]:
     own_tags: frozenset[str] | None = None
     ros = {package.name: package.ros for package in workspace.packages}
     extended: dict[str, bool] = {}
+    unported: dict[str, bool] = {}
     for file in workspace.files:
         if "template" in file.path.lower():
             continue
@@ -72,6 +77,12 @@ def refused(workspace: Workspace) -> Iterator[Problem]:
                     if owner not in extended:
                         extended[owner] = _may_be_extended(workspace, owner)
                     if extended[owner]:
+                        continue
+                if not is_ros1 and _FOR_OTHERS.match(problem.message):
+                    owner = file.package or ""
+                    if owner not in unported:
+                        unported[owner] = _is_unported(workspace, owner)
+                    if unported[owner]:
                         continue
                 yield problem
         elif file.language == "python" and file.path.endswith(_PYTHON) and ros.get(file.package or "") == 2:
@@ -103,6 +114,13 @@ def _of_tags(
         from haros_ci.extract.launch.ros2_xml import read_ros2_xml
 
         yield from _problems(path, read_ros2_xml(launch, path).problems[len(launch.problems) :])
+
+
+def _is_unported(workspace: Workspace, package: str) -> bool:
+    """Whether *package* has many launch files of ROS 1: another rule says once that it has."""
+    files = (file.path for file in workspace.files if file.language == "launch" and (file.package or "") == package)
+    found = (path for path in files if not path.endswith(_YAML) and _OF_ROS1.search(workspace.text(path)))
+    return sum(1 for _ in islice(found, _MANY)) == _MANY
 
 
 def _problems(path: str, found: tuple[tuple[int, str], ...]) -> Iterator[Problem]:

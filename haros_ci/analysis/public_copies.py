@@ -47,6 +47,9 @@ _MAKERS = tuple(
         (r"darknet_ros(?:_msgs)?", r"marko\.bjelonic@|mbjelonic@"),
         (r"ldlidar(?:_\w+)?", r"@ldrobot\.com"),
         (r"robotiq_\w+", r"@robotiq\.com"),
+        (r"zed_\w+|zed-ros-\w+|rviz[-_]plugin[-_]zed[-_]\w+", r"@stereolabs\.com"),
+        (r"ublox_msg_filters", r"@dataspeedinc\.com"),
+        (r"(?:xarm|uf)_\w+", r"@ufactory\.cc"),
         (r"phantom_omni", r"@danepowell\.com"),
         (r"wit_(?:ros_imu|ros2?_driver|node)", r"@wit-motion\.com"),
     )

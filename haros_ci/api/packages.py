@@ -10,7 +10,7 @@ from haros_ci.checking.built_against import is_built_against
 from haros_ci.checking.cmake import OF_TARGETS, CMake, Install, Link
 from haros_ci.checking.cmake_variables import is_found_by_others, may_set_variables
 from haros_ci.checking.conflicts import CONFLICT_BEGINS, CONFLICT_ENDS, conflicts
-from haros_ci.checking.console_scripts import entry_point_mistake, renamed_module
+from haros_ci.checking.console_scripts import entry_point_mistake, is_own_module, moved_module, renamed_module
 from haros_ci.checking.copying_builds import is_built_by_copying
 from haros_ci.checking.counterparts import COUNTERPARTS
 from haros_ci.checking.devel_spaces import DevelSpaces
@@ -140,6 +140,7 @@ from haros_ci.checking.uninstalled import (
     uninstalled,
 )
 from haros_ci.checking.unreached import unreached
+from haros_ci.checking.unread_values import unread_parameter
 from haros_ci.checking.using import Using
 from haros_ci.checking.whole import repositories_named
 from haros_ci.checking.worlds import dependency_tag, serves_both
@@ -316,6 +317,8 @@ __all__ = [
     "registers_otherwise",
     "registrations",
     "rename_element",
+    "is_own_module",
+    "moved_module",
     "renamed_module",
     "repositories_named",
     "rospy_programs",
@@ -331,5 +334,6 @@ __all__ = [
     "used_by_launch_files",
     "variant",
     "word",
+    "unread_parameter",
     "writer_of",
 ]

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import re
 import sys
+from collections.abc import Iterator
 
 from haros_ci.checking.likeness import is_slip
 from haros_ci.checking.project import ProjectPackage
@@ -56,6 +57,35 @@ def _file(module: str, package: ProjectPackage) -> str:
     return next((path for path in places if package.project.exists(path)), "")
 
 
+def is_own_module(module: str, package: ProjectPackage) -> bool:
+    """Whether the module is to be one of the package: the package that it is in has other modules here."""
+    top = module.partition(".")[0]
+    roots = [directory for name, directory in package.build.python_roots if name in ("", top)]
+    inner = module.replace(".", "/")
+    if any(package.project.is_absent(inner if root == "." else f"{root}/{inner}") for root in roots):
+        return False
+    if any(path == top or path.startswith(f"{top}/") for path in _below(roots, package)):
+        return not any(module.startswith(name) for name in _generated(package))
+    return top == package.name and package.project.package(top) is not None and bool(roots)
+
+
+def _below(roots: list[str], package: ProjectPackage) -> Iterator[str]:
+    for root in roots:
+        prefix = "" if root == "." else f"{root}/"
+        for file in package.files:
+            if file.language == "python" and file.path.startswith(prefix):
+                yield file.path.removeprefix(prefix)
+
+
+def _generated(package: ProjectPackage) -> tuple[str, ...]:
+    """The modules that the build makes."""
+    return tuple(
+        f"{package.name}.{parameter_library.name}"
+        for parameter_library in package.build.parameter_libraries
+        if parameter_library.language == "python"
+    )
+
+
 def renamed_module(module: str, package: ProjectPackage) -> str:
     """The one module of the package that *module* is under a first name that nothing has: misspelt, or of before a renaming; else ""."""
     top, _, rest = module.partition(".")
@@ -70,6 +100,13 @@ def renamed_module(module: str, package: ProjectPackage) -> str:
         return ""  # a package of Python that others have
     same = [path for path in modules(package) if path.partition("/")[2] == f"{rest.replace('.', '/')}.py"]
     return same[0].removesuffix(".py").replace("/", ".") if len(same) == 1 else ""
+
+
+def moved_module(module: str, package: ProjectPackage) -> str:
+    """The one file of *package* with the name of the *module* that is not where it is looked for; "" if there is none, or more."""
+    name = f"/{module.rpartition('.')[2]}.py"
+    found = [file.path for file in package.files if file.path.endswith(name)]
+    return found[0] if len(found) == 1 else ""
 
 
 def _is_required(name: str, package: ProjectPackage) -> bool:

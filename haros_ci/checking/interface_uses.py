@@ -7,6 +7,7 @@ import re
 from collections.abc import Iterator
 
 from haros_ci.checking.project import Project
+from haros_ci.checking.unbuilt import unbuilt
 from haros_ci.checking.unreached import unreached
 from haros_ci.model.build import Interface
 from haros_ci.model.location import Location
@@ -23,9 +24,14 @@ def interfaces_in_use(project: Project) -> dict[str, Location]:
     included, aside = _included(project), dict[str | None, frozenset[str]]()
     owners = {file.path: file.package for file in project.workspace.files}
     doubles = _doubles(project)
+    loose: frozenset[str] | None = None
     for name, path, line in _places(project):
         if name in found or name in doubles or (path.endswith(_HEADERS) and path.rpartition("/")[2] not in included):
             continue
+        if not path.endswith((*_HEADERS, ".py")):
+            loose = unbuilt(project) if loose is None else loose
+            if path in loose:
+                continue
         if path.endswith(".py"):
             owner = owners.get(path)
             package = project.package(owner) if owner is not None else None

@@ -35,6 +35,8 @@ MAX_STEPS = 3_000_000
 _OPEN, _OF_MESSAGES, _OF_A_SYSTEM = 1, 2, 4
 #: Keys that bring what others bring parts of.
 _WHOLE = frozenset(("libqt4-dev", "qtbase5-dev", "qt6-base-dev"))
+#: Commands of CMake that look for what is installed.
+_FINDS = ("find_package", "pkg_check_modules", "pkg_search_module")
 #: Commands of CMake that build Python modules.
 _MODULES: tuple[str, ...] = ("pybind11_add_module", "nanobind_add_module", "python_add_library", "cython_add_module")
 _MODULES += ("swig_add_library", "ament_python_install_package", "ament_python_install_module")
@@ -182,6 +184,7 @@ def _is_gone(key: str, package: ProjectPackage) -> bool:
 def first_provider(names: frozenset[str], package: ProjectPackage) -> str:
     """Of *names* the one to declare: a package of the same ROS, else a key of rosdep, the shortest of each.
 
+    Before them comes what CMake asks the system for by that name (``pkg_check_modules(YAML yaml-cpp)``).
     Of keys for Python those come first that are of one Python with what the package declares, or else the other packages of the workspace.
     """
     project = package.project
@@ -193,6 +196,7 @@ def first_provider(names: frozenset[str], package: ProjectPackage) -> str:
             not exists(frozenset((n,)), package),
             not is_to_be_had_today(n, package),
             _is_idle_module(n, package),
+            not _is_asked_for(n, package),
             not is_of_ros(n, project),
             _has_its_own(n, names),
             _is_part(n, names),
@@ -225,6 +229,11 @@ def _has_its_own(name: str, names: frozenset[str]) -> bool:
 def _is_idle_module(name: str, package: ProjectPackage) -> bool:
     """Whether the package *name* brings a Find module that CMake finds after that package alone, and CMake does not name it."""
     return name.endswith(_MODULE) and not any(name in command.arguments for command in package.build.commands)
+
+
+def _is_asked_for(name: str, package: ProjectPackage) -> bool:
+    """Whether CMake looks for a library of the system called *name*, which is no name of a ROS package."""
+    return "-" in name and any(name in command.arguments for command in package.commands(*_FINDS))
 
 
 def _families(package: ProjectPackage) -> frozenset[str]:

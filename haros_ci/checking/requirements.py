@@ -7,6 +7,7 @@ import re
 from collections.abc import Iterator, Mapping
 from functools import lru_cache
 
+from haros_ci.checking.brought_by_pip import brought
 from haros_ci.checking.project import Project, ProjectPackage
 from haros_ci.model.location import Location
 from haros_ci.model.named_distribution import is_page
@@ -138,7 +139,8 @@ def left_to_pip(package: ProjectPackage) -> Mapping[str, Location]:
     """The distributions that *package* leaves to pip on purpose, each with the first place; at the base revision, too, if there is one.
 
     Its setup.py, setup.cfg or pyproject.toml depends on them; or a file of requirements names them, and a page, script or Dockerfile
-    installs what that file names; or its README says that they are optional, or are not managed by ROS.
+    installs what that file names; or its README says that they are optional, or are not managed by ROS; or one of the first two, or one
+    that is given a version, brings them.
     """
     found = _left(package)
     base = package.project.base if found else None
@@ -150,6 +152,16 @@ def left_to_pip(package: ProjectPackage) -> Mapping[str, Location]:
 
 
 def _left(package: ProjectPackage) -> dict[str, Location]:
+    """What *package* leaves to pip, with what that brings."""
+    found = _named(package)
+    for name, place in (*found.items(), *pinned(package).items()):
+        if place.path.rpartition("/")[2] not in _READMES:  # words of a sentence
+            for other in brought(name):
+                found.setdefault(other, place)
+    return found
+
+
+def _named(package: ProjectPackage) -> dict[str, Location]:
     found: dict[str, Location] = {}
     project = package.project
     names = project.workspace.names

@@ -72,15 +72,27 @@ class Programs:
 
 
 def installs_nothing(package: ProjectPackage) -> bool:
-    """Whether the CMake files of *package* are known, and have no command that installs anything, seen or not."""
-    return (
-        bool(package.build.commands)
-        and package.cmake.is_whole
-        and not package.cmake.installs_unknown
-        and not package.cmake.installs
-        and not package.build.installed
-        and not any(target.is_installed for target in package.cmake.targets.values())
+    """Whether the CMake files of *package* are known, and have no command that installs anything, seen or not.
+
+    What a library that lies in the package, with a manifest of its own, installs of itself (``add_subdirectory(extern/serial)``) does not count.
+    """
+    if not package.build.commands or not package.cmake.is_whole or package.cmake.installs_unknown:
+        return False
+    bundled = package.project.sources.once(("bundled", package.path), lambda: _bundled(package))
+    return not (
+        any(not install.command.location.path.startswith(bundled) for install in package.cmake.installs)
+        or any(not one.path.startswith(bundled) for one in package.build.installed)
+        or any(
+            target.is_installed and not target.location.path.startswith(bundled)
+            for target in package.cmake.targets.values()
+        )
     )
+
+
+def _bundled(package: ProjectPackage) -> tuple[str, ...]:
+    """The directories inside *package* that have a manifest of their own, each with a slash at its end."""
+    names = (posixpath.dirname(name) for name in package.project.below(package.path) if name.endswith("/package.xml"))
+    return tuple(f"{folder}/" for folder in names if folder != package.path)
 
 
 def uninstalled(package: ProjectPackage, programs: Programs) -> Iterator[Uninstalled]:

@@ -185,6 +185,20 @@ class Whole:
         """Whether a page or a script of the workspace, or the launch file at *path*, shows a command that gives the launch *argument*."""
         return argument in self._shown or argument in _SHOWN.findall(self._text(path))
 
+    def is_of_others(self, path: str) -> bool:
+        """Whether the first comment of the launch file at *path* has the copyright of somebody whom no manifest of the workspace names."""
+        from haros_ci.checking.foreign_heads import is_of_others
+
+        return is_of_others(self._text(path), self._people)
+
+    @cached_property
+    def _people(self) -> frozenset[str]:
+        """The words of all manifests: who has written and who maintains what."""
+        from haros_ci.checking.foreign_heads import words
+
+        manifests = (path for path in self._paths if path.rpartition("/")[2] == "package.xml")
+        return frozenset(word for path in manifests for word in words(self._text(path)))
+
     @cached_property
     def _shown(self) -> frozenset[str]:
         """The launch arguments that pages and scripts of the workspace give: ``rate`` of ``rate:=10``."""

@@ -6,7 +6,7 @@ Lenient: ways that a shutdown takes, that throw, or that a flag may exclude are 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from operator import or_
 
 from haros_ci import syntax
@@ -178,12 +178,47 @@ def _loop(statement: syntax.Loop | syntax.Each, done: bool, does: _Doing, ways: 
     ways.on |= inner.breaks
     if over:
         ways.on.add(True)  # it ends with a shutdown, or is left by a break
-    elif not endless:
+    elif not endless and not (not inner.on and inner.continues and _counts(statement)):
         turned = inner.on | inner.continues
         if isinstance(statement, syntax.Loop) and statement.keyword != "for" and True in turned:
             ways.on.add(True)  # its condition is about that, as far as can be seen
         else:
             ways.on |= {done} | turned
+
+
+def _counts(statement: syntax.Loop | syntax.Each) -> bool:
+    """Whether each ``continue`` of a ``for`` is under a condition on what it counts (``if (attempt < 2) continue;``): so the last turn returns, as far as can be seen."""
+    if isinstance(statement, syntax.Each):
+        counted = frozenset((statement.name,)) - {""}
+    elif statement.keyword == "for" and statement.test is not None:
+        counted = _named(statement.test)
+    else:
+        return False
+    return all(not counted.isdisjoint(names) for names in _continues(statement.body, frozenset()))
+
+
+def _continues(block: Block, names: frozenset[str]) -> Iterator[frozenset[str]]:
+    """For each ``continue`` of the loop with the body *block* the names in the conditions that it stands under, with those in *names*."""
+    for statement in block:
+        if isinstance(statement, syntax.Continue):
+            yield names
+        elif isinstance(statement, syntax.If):
+            inner = names | _named(statement.test)
+            yield from _continues(statement.then, inner)
+            yield from _continues(statement.other, inner)
+        elif isinstance(statement, syntax.Nested):
+            yield from _continues(statement.body, names)
+        elif isinstance(statement, syntax.Switch):
+            for case in statement.cases:
+                yield from _continues(case.body, names)
+        elif isinstance(statement, syntax.Try):
+            yield from _continues(statement.body, names)
+            for handler in statement.handlers:
+                yield from _continues(handler.body, names)
+
+
+def _named(test: Expression) -> frozenset[str]:
+    return frozenset(node.name for node in nodes(test) if isinstance(node, syntax.Name))
 
 
 def _may_do(block: Block, does: _Doing) -> bool:

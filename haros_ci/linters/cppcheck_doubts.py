@@ -9,7 +9,7 @@ from functools import lru_cache
 
 from haros_ci.linters.constant_switches import is_switched_by_hand
 from haros_ci.linters.cppcheck_conditions import OF_VALUES, has_large_constant, is_spelled_out
-from haros_ci.linters.cppcheck_lifetimes import OF_LIFETIMES, may_be_alive
+from haros_ci.linters.cppcheck_lifetimes import OF_LIFETIMES, is_text_of_message, may_be_alive
 from haros_ci.linters.cppcheck_registers import OF_FIRMWARE, is_of_firmware
 from haros_ci.linters.cppcheck_uses import (
     has_no_truth_value,
@@ -143,7 +143,7 @@ def is_refuted(rule: str, message: str, line: int, whole: str) -> bool:  # noqa:
     if rule in OF_VALUES and has_large_constant(message, _line(text, line)):
         return True
     if rule == "danglingTemporaryLifetime":
-        return is_copied(line, text)
+        return is_copied(line, text) or is_text_of_message(line, text)
     if rule == "danglingTempReference":
         return is_pointed_to(line, text)
     if rule == "multiCondition":

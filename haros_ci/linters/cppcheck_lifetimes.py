@@ -22,6 +22,12 @@ _GENERATED = (
     r"(?:::(?:Request|Response|Goal|Result|Feedback)|\b\w+_(?:msgs|srvs|interfaces)(?:::\w+){{1,3}})"
     r"(?:_?<[^<>;{{}}]{{0,80}}>|::(?:SharedPtr|UniquePtr)|Ptr)?\s*(?:[&*]\s*)?{name}\b"
 )
+#: A message itself, with the name of its package or in one for messages of any name.
+_OF_MESSAGE = rf"(?:\b\w+::(?:msg|srv|action)::\w+\s*(?:[&*]\s*)?{{name}}\b|{_GENERATED})"
+#: A field that is given the text of something: ``msg->header.frame_id = make().c_str();``
+_GIVEN = regex(r"\b([A-Za-z_]\w*)(?:(?:\.|->)\w{1,60}){1,6}\s*=(?!=)[^;{}=]{1,600}\.\s*(?:c_str|data)\s*\(\s*\)\s*;")
+_WORD = regex(r"[A-Za-z_]\w*")
+_LONGEST = 400
 _ITSELF = regex(r"assignment of '([^']{1,80})' to itself")
 #: Functions of the standard library that give back what they are given, or what points to it.
 _PASSING = frozenset(
@@ -55,6 +61,20 @@ def may_be_alive(rule: str, message: str, line: int, text: str) -> bool:
         return kept is not None and _is_returned_by_a_call(kept[1], kept[2], near, text)
     returned = _RETURNED.search(message)
     return copies_what_it_returns(line, text) or (returned is not None and _is_of_a_view(returned[1], near))
+
+
+def is_text_of_message(line: int, text: str) -> bool:
+    """Whether what is used at *line* is a message that has been given the text of a temporary above: its fields copy what they are given.
+
+    ``msg.header.frame_id = (prefix + frame).c_str();``
+    """
+    lines = text.split("\n")
+    if not 0 < line <= len(lines):
+        return False
+    used = set(_WORD.findall(lines[line - 1][:_LONGEST]))
+    near = "\n".join(other[:_LONGEST] for other in lines[max(line - 1 - _NEAR, 0) : line - 1])
+    given = {found[1] for found in _GIVEN.finditer(near)} & used
+    return any(re.search(_OF_MESSAGE.format(name=name), near) for name in given)
 
 
 def _is_returned_by_a_call(name: str, local: str, near: str, text: str) -> bool:

@@ -11,6 +11,7 @@ import re
 
 from haros_ci.linters.class_methods import is_class_method, takes_value
 from haros_ci.linters.decorated import is_decorated
+from haros_ci.linters.nan_itself import is_of_nan_itself
 from haros_ci.linters.pylint_definitions import is_of_renamed, loses_nothing
 from haros_ci.linters.pylint_idioms import (
     is_choice_of_calls,
@@ -125,8 +126,8 @@ def is_refuted(rule: str, line: int, column: int, text: str) -> bool:  # noqa: C
         return gives_names(text)
     if rule == "bad-super-call":
         return is_of_another(text, line)
-    if rule == "comparison-with-itself":
-        return is_test_for_nan(text, line)
+    if rule in ("comparison-with-itself", "nan-comparison"):
+        return is_test_for_nan(text, line) if rule == "comparison-with-itself" else is_of_nan_itself(text, line)
     if rule == "function-redefined":
         return is_used_before(text, line) or is_instead_of_import(text, line) or loses_nothing(text, line)
     if rule == "modified-iterating-dict":

@@ -9,6 +9,7 @@ from collections.abc import Iterable
 
 from haros_ci.linters.class_methods import CLASS, method_at
 from haros_ci.linters.decorated import is_call_of_decorated
+from haros_ci.linters.exercises import is_exercise
 from haros_ci.linters.python2 import imports_future, is_of_python2, names_python3
 from haros_ci.linters.star_imports import is_of_unseen
 from haros_ci.linters.uncalled import is_uncalled
@@ -101,7 +102,10 @@ def _is_refuted_apart(result: Result, line: int, workspace: Workspace) -> bool:
     if result.rule == "import-self":
         return _is_of_another_module(result.location.path, line, workspace)
     if result.rule == "syntax-error":
-        return _TABS in result.message and _is_python2_around(result.location.path, workspace)
+        path = result.location.path
+        return is_exercise(path, line, result.message, workspace) or (
+            _TABS in result.message and _is_python2_around(path, workspace)
+        )
     return _is_starred(result, workspace) or is_of_unseen(result.location.path, workspace)
 
 

@@ -19,7 +19,7 @@ CHANGE: tuple[tuple[tuple[str, ...], str, str], ...] = (
         "tests/checking/test_unreached.py::test_levels",
     ),
     (
-        ("pages and scripts that show `name:=…`",),
+        ("pages and scripts that show `name:=…`", "a copyright of somebody else at the head of the launch file"),
         "unset-launch-argument of that argument is a note",
         "tests/test_check_levels.py::test_a_launch_configuration_that_the_command_line_can_give",
     ),
@@ -142,6 +142,11 @@ CHANGE: tuple[tuple[tuple[str, ...], str, str], ...] = (
         ),
         "what is found in launching a launch file there that nothing outside names is a note",
         "tests/checking/test_set_aside.py::test_in_an_archive",
+    ),
+    (
+        ("a comment that asks for `your code` in a block without a statement, in Python that nothing names",),
+        "syntax-error (pylint) for that block",
+        "tests/linters/test_pylint_surroundings.py::test_exercises",
     ),
     (
         ("pages, scripts and manifests that name Noetic, Ubuntu 20.04 or Python 3, scripts that ask for `python3`",),

@@ -171,7 +171,8 @@ class ParameterFileUse(LaunchFact):
     """A parameter file given to a node (ROS 2): *node* is its full name, None where the program names itself.
 
     *text* is what is named, *path* the file, None if it is not known; *is_found* as in ``FileUse``. *patterns* are its sections, ()
-    with *is_read* False where they cannot be read. *program* is the package and executable or class of the node.
+    with *is_read* False where they cannot be read. *program* is the package and executable or class of the node. *substitutes* says that launch
+    itself opens the file, for the substitutions in it.
     """
 
     text: str
@@ -181,6 +182,7 @@ class ParameterFileUse(LaunchFact):
     is_found: bool | None = None
     is_read: bool = False
     patterns: tuple[NodePattern, ...] = ()
+    substitutes: bool = False
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

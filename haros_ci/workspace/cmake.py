@@ -10,6 +10,7 @@ from types import MappingProxyType
 from haros_ci.model.location import Location
 from haros_ci.model.package import Package
 from haros_ci.model.workspace import Problem
+from haros_ci.regex import regex
 from haros_ci.workspace.cmake_choices import is_choice
 from haros_ci.workspace.cmake_commands import COMMANDS, SUMMARIES, UNREMARKABLE, note_unknown
 from haros_ci.workspace.cmake_conditions import decide
@@ -38,6 +39,8 @@ END, BREAK, CONTINUE, RETURN, DEAD = "", "break", "continue", "return", "dead"
 MAX_DEPTH = 150
 #: What is made where one of these holds belongs to tests.
 _TESTING = ("BUILD_TESTING", "CATKIN_ENABLE_TESTING")
+#: A condition may ask for the value of a variable in place of its name: ``if(${BUILD_TESTING})``.
+_BRACES = regex(r"\A\$\{(\w+)\}\Z")
 
 
 def follow(tree: PathTree, package: Package) -> CMakeState:
@@ -138,7 +141,7 @@ def _if(state: CMakeState, command: ParsedCommand, macro: dict[str, str] | None)
         return END
     if is_complete and len(possible) == 1:
         opener, body = possible[0]
-        is_testing = any(argument.text in _TESTING for argument in opener.arguments)
+        is_testing = any(_BRACES.sub(r"\1", argument.text) in _TESTING for argument in opener.arguments)
         state.testing += is_testing
         signal = run_block(state, body, macro)
         state.testing -= is_testing

@@ -43,7 +43,7 @@ _CHANGED = regex(
     r"\b(?:contributions? (?:by|copyright)|adapted|modified (?:by|for|from|version)|modifications? (?:by|copyright)|ported (?:by|from|to)|port of)\b",
     re.IGNORECASE,
 )
-#: Makers of chips and boards, as copyright lines name them, and what manifests of their own have of them.
+#: Makers of chips, boards, sensors and devices, as copyright lines name them, and what manifests of their own have of them.
 _MAKERS = tuple(
     (regex(name, re.IGNORECASE), regex(own, re.IGNORECASE))
     for name, own in (
@@ -58,8 +58,20 @@ _MAKERS = tuple(
         (r"renesas electronics", r"\brenesas\b"),
         (r"bosch sensortec", r"\bbosch\b"),
         (r"\binvensense\b", r"\binvensense\b|\btdk\b"),
+        (r"\bnaturalpoint\b", r"\bnaturalpoint\b"),
+        (r"\bleap motion\b|\bultraleap\b", r"\bleapmotion\b|\bleap motion\b|\bultraleap\b"),
+        (r"\bintel corporation\b", r"\bintel\b"),
+        (r"\bstereolabs\b", r"\bstereolabs\b"),
+        (r"\bxsens\b|\bmovella\b", r"\bxsens\b|\bmovella\b"),
+        (r"\borbbec\b", r"\borbbec\b"),
+        (r"\bvicon motion systems\b", r"\bvicon\b"),
+        (r"\bqualisys\b", r"\bqualisys\b"),
+        (r"\bslamtec\b|\brobopeak\b", r"\bslamtec\b|\brobopeak\b"),
+        (r"\brobotis\b", r"\brobotis\b"),
     )
 )
+#: A licence of a maker's own.
+_CONTRACT = regex(r"\beula\b|\blicen[cs]e agreement\b|\b(?:software|plugins?) licen[cs]e\b", re.IGNORECASE)
 _WORD = regex(r"[^\W\d_]{4,}")
 #: Words of an owner that say nothing of who it is.
 _COMMON = frozenset(
@@ -71,7 +83,7 @@ _COMMON = frozenset(
 )
 _OF_ROS = regex(
     r"\b(?:rospy|rclpy|rclcpp\w*|roslib|roscpp|rosbag\w*|nodelet|pluginlib|cv_bridge|dynamic_reconfigure|ament_\w+|catkin\w*|\w+_(?:msgs|srvs|interfaces))\b"
-    r"|[<\"]ros/"
+    r"|[<\"]ros/|\b(?:from|import)[ \t]+(?:launch(?:_ros)?\b|[\w.]+\.(?:msg|srv|action)[ \t]+import\b)"
 )
 _PARTS = regex(
     r"^[ \t]*(?:#[ \t]*include[ \t]*[<\"]([^>\"\n]{1,200})|from[ \t]+\.*([\w.]*)[ \t]+import\b[ \t]*(\w*)|import[ \t]+([\w., \t]{1,200}))",
@@ -87,7 +99,7 @@ class SingleCopies(Judged):
     word of the owner's name; no other file of the package, nor its manifest, has that licence; and there are several others.
     The file uses nothing of ROS and nothing of the workspace, and does not say that it has been changed.
 
-    Of a maker of chips or boards that no manifest names every file with its copyright and a licence is one, however many there are.
+    Of a maker of chips, boards or devices that no manifest names every file with its copyright and a licence, which may be a contract of the maker's own, is one, however many there are.
     """
 
     def _judge(self, files: Collection[SourceFile]) -> Iterable[str]:
@@ -96,14 +108,15 @@ class SingleCopies(Judged):
     def _is_copy(self, file: SourceFile) -> bool:
         head = self._head(file)
         owner, licences = _owner(head), _first_licence(head)
-        if not owner or not licences or file.lines < SHORTEST or not self._workspace.packages:
+        is_of_maker = bool(licences or _CONTRACT.search(head)) and self._is_of_maker(head)
+        if not owner or not (licences or is_of_maker) or file.lines < SHORTEST or not self._workspace.packages:
             return False
         text = self._workspace.text(file.path)
         if _CHANGED.search(head):
             return False
         if _OF_ROS.search(text) or not owner.isdisjoint(self._people):
             return False
-        if self._is_of_maker(head):
+        if is_of_maker:
             return True
         own = [other_file for other_file in self._code if not owner.isdisjoint(self._heads[other_file.path])]
         directory = posixpath.dirname(file.path)

@@ -181,3 +181,65 @@ def test_a_missing_file_is_shown_where_its_name_is(more: str, line: int, tmp_pat
     (result,) = said(check, Example("", True, {"package.xml": MANIFEST, **files}), tmp_path)
     assert result.location.line == line
     assert result.message.startswith("the parameter file $(find-pkg-share demo)/config/walk.yaml does not exist")
+
+
+@pytest.mark.parametrize(
+    ("given", "words"),
+    [
+        ("ParameterFile(given, allow_substs=True)", "launch stops here, as it opens the file"),
+        ("ParameterFile(given)", "launch prints a warning and starts"),
+        ("ParameterFile(given, allow_substs=False)", "launch prints a warning and starts"),
+        ("given", "launch prints a warning and starts"),
+    ],
+)
+def test_what_launch_does_without_a_file(given: str, words: str, tmp_path: Path) -> None:
+    launch = PYTHON.format("a", given).replace(
+        "from launch_ros.actions import Node",
+        "from launch_ros.actions import Node\nfrom launch_ros.parameter_descriptions import ParameterFile",
+    )
+    files = {
+        "talker.py": TALKER,
+        "CMakeLists.txt": OF_SCRIPT,
+        "walk.cpp": WALK.format("1.0"),
+        "launch/a.launch.py": launch,
+        "config/other.yaml": "",
+    }
+    ((_, message),) = messages("parameter-file-missing", files, tmp_path)
+    assert words in message
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ('allow_substs="true" ', "launch stops here, as it opens the file"),
+        ('allow_substs="false" ', "launch prints a warning and starts"),
+        ("", "launch prints a warning and starts"),
+    ],
+)
+def test_what_launch_does_without_a_file_in_xml(text: str, words: str, tmp_path: Path) -> None:
+    launch = LAUNCH.format("").replace("from=", f"{text}from=")
+    files = {"walk.cpp": WALK.format("1.0"), "launch/a.launch.xml": launch, "config/other.yaml": ""}
+    ((_, message),) = messages("parameter-file-missing", files, tmp_path)
+    assert words in message
+
+
+@pytest.mark.parametrize(
+    ("finds", "words"),
+    [
+        ("find_package(PkgConfig REQUIRED)\npkg_check_modules(YAML REQUIRED yaml-cpp)\n", "<depend>yaml-cpp</depend>"),
+        ("find_package(yaml-cpp REQUIRED)\n", "<depend>yaml-cpp</depend>"),
+        ("", "<depend>yaml_cpp_vendor</depend>"),
+        (
+            "find_package(PkgConfig REQUIRED)\npkg_check_modules(XML REQUIRED libxml-2.0)\n",
+            "<depend>yaml_cpp_vendor</depend>",
+        ),
+        ("# find_package(yaml-cpp)\n", "<depend>yaml_cpp_vendor</depend>"),
+    ],
+)
+def test_what_cmake_asks_the_system_for(finds: str, words: str, tmp_path: Path) -> None:
+    files = {
+        "CMakeLists.txt": CMAKE.replace("add_executable", f"{finds}add_executable"),
+        "walk.cpp": f"#include <yaml-cpp/yaml.h>\n{WALK.format('1.0')}",
+    }
+    found = [message for _, message in messages("undeclared-dependency", files, tmp_path)]
+    assert len(found) == 1 and words in found[0]

@@ -94,6 +94,33 @@ def test_levels(path: str, more: dict[str, str], expected: Level, tmp_path: Path
     assert ("nothing here loads" in results[0].message) == (expected is Level.NOTE)
 
 
+XACRO = '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro"><xacro:macro name="leg" params="a"><link name="${a}"/></xacro:macro><link name="base"/><xacro:leg a="1" b="2"/></robot>\n'
+
+
+@pytest.mark.parametrize(
+    ("path", "more", "expected"),
+    [
+        ("src/demo/urdf_backup/leg.urdf.xacro", {"src/demo/urdf/leg.urdf.xacro": robot()}, Level.NOTE),
+        ("src/demo/urdf/old/leg.urdf.xacro", {}, Level.NOTE),
+        ("src/demo/urdf/leg_old.urdf.xacro", {"src/demo/urdf/leg.urdf.xacro": robot()}, Level.NOTE),
+        ("src/demo/urdf/leg_old.urdf.xacro", {}, Level.ERROR),
+        ("src/demo/urdf_backup/leg.urdf.xacro", {}, Level.ERROR),
+        ("src/demo/urdf_new/leg.urdf.xacro", {"src/demo/urdf/leg.urdf.xacro": robot()}, Level.ERROR),
+        (
+            "src/demo/urdf_backup/leg.urdf.xacro",
+            {
+                "src/demo/urdf/leg.urdf.xacro": robot(),
+                "src/demo/launch/a.launch": LAUNCH.format("leg.urdf.xacro").replace("/urdf/", "/urdf_backup/"),
+            },
+            Level.ERROR,
+        ),
+    ],
+)
+def test_levels_of_xacro(path: str, more: dict[str, str], expected: Level, tmp_path: Path) -> None:
+    results = [one for one in found("undefined-in-xacro", {path: XACRO, **more}, tmp_path) if one.location.path == path]
+    assert [one.level for one in results] == [expected]
+
+
 def test_meshes_of_a_directory_that_has_moved(tmp_path: Path) -> None:
     names = ("base_link", "upper_arm", "lower_arm")
     there = {f"src/demo/meshes/old/{name}.stl": "" for name in names}

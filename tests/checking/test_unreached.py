@@ -133,6 +133,12 @@ NODE = {"demo/main.py": MAIN.format("import scipy")}
         ({"README.md": "Install scipy before you start.\n"}, Level.ERROR),
         ({"docs/a.md": "scipy is optional.\n"}, Level.ERROR),
         ({"requirements.txt": "scipy", "ci/setup.sh": "python3 -m pip install -r requirements.txt\n"}, Level.NOTE),
+        ({"requirements.txt": "scikit-learn\n", "README.md": "pip install -r requirements.txt\n"}, Level.NOTE),
+        ({"setup.py": SETUP.format('install_requires=["scikit_image>=0.20"], ')}, Level.NOTE),
+        ({"requirements.txt": "scikit-learn>=1.0\n"}, Level.NOTE),
+        ({"requirements.txt": "scikit-learn\n"}, Level.ERROR),
+        ({"README.md": "Optional: scikit-learn\n"}, Level.ERROR),
+        ({"setup.py": SETUP.format('install_requires=["numpy"], ')}, Level.ERROR),
         ({"requirements.txt": "scipy\n"}, Level.ERROR),
         ({"requirements.txt": "scipy\n", "README.md": "pip install -r docs/requirements-docs.txt\n"}, Level.ERROR),
         ({"requirements.txt": "scipy-extras\n", "README.md": "pip install -r requirements.txt\n"}, Level.ERROR),
@@ -198,3 +204,27 @@ def test_what_pip_may_install_is_told_once(requirements: str, expected: str, tmp
     files = {"requirements.txt": requirements, "README.md": "pip install -r requirements.txt\n"}
     ((level, message),) = results({"demo/main.py": MAIN.format("import scipy\nimport matplotlib"), **files}, tmp_path)
     assert level is Level.NOTE and expected in message and ("asks for" in message) == ("asks for" in expected)
+
+
+OLDER = "#!/usr/bin/env python{}\nimport {}\nimport rospy\n\nrospy.init_node('n')\n"
+CATKIN = (
+    "cmake_minimum_required(VERSION 3.0)\nproject(demo)\nfind_package(catkin REQUIRED)\ncatkin_package()\n"
+    "catkin_install_python(PROGRAMS a.py b.py DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})\n"
+)
+
+
+@pytest.mark.parametrize(
+    ("first", "second", "words"),
+    [
+        (OLDER.format("2.7", "scipy"), OLDER.format("2", "scipy"), "add <exec_depend>python-scipy</exec_depend>"),
+        (OLDER.format("2.7", "serial"), OLDER.format("2", "serial"), "</exec_depend> (of Python 3: make the scripts"),
+        (OLDER.format("3", "scipy"), OLDER.format("2", "scipy"), "add <exec_depend>python3-scipy</exec_depend>."),
+        (OLDER.format("", "scipy"), OLDER.format("", "scipy"), "add <exec_depend>python3-scipy</exec_depend>."),
+        (OLDER.format("", "serial"), OLDER.format("", "serial"), "add <exec_depend>python3-serial</exec_depend>."),
+    ],
+)
+def test_scripts_of_python_2(first: str, second: str, words: str, tmp_path: Path) -> None:
+    files = {"package.xml": ROS1, "CMakeLists.txt": CATKIN, "a.py": first, "b.py": second}
+    check = next(check for check in checks() if check.id == "undeclared-import")
+    (found,) = said(check, Example("", True, files), tmp_path)
+    assert words in f"{found.message}."

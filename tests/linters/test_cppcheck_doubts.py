@@ -517,6 +517,27 @@ def test_a_text_that_may_be_gone(kind: str, given: str) -> None:
     assert not is_refuted("danglingTemporaryLifetime", TEMPORARY, 5, REPLY.format(kind, given))
 
 
+FIELDS = "void f() {{\n  {0}\n  {1}\n  msg.header.stamp = now;\n}}\n"
+
+
+@pytest.mark.parametrize(
+    ("kind", "given", "expected"),
+    [
+        ("geometry_msgs::msg::TransformStamped msg;", "msg.header.frame_id = (a + b).c_str();", True),
+        ("geometry_msgs::TransformStamped msg;", "msg.header.frame_id = (a + b)\n    .c_str();", True),
+        ("demo::msg::Frame msg;", "msg.frame = std::string(a).data();", True),
+        ("auto x = demo::msg::Frame(); Frame msg;", "msg.frame = std::string(a).data();", False),
+        ("Frame msg;", "msg.frame = (a + b).c_str();", False),
+        ("geometry_msgs::msg::TransformStamped msg;", "const char * frame = (a + b).c_str();", False),
+        ("geometry_msgs::msg::TransformStamped other;", "other.child_frame_id = (a + b).c_str();", False),
+        ("geometry_msgs::msg::TransformStamped msg;", "view.header.frame_id = (a + b).c_str();", False),
+    ],
+)
+def test_a_text_of_a_message(kind: str, given: str, expected: bool) -> None:
+    line = 4 + given.count("\n")
+    assert is_refuted("danglingTemporaryLifetime", TEMPORARY, line, FIELDS.format(kind, given)) is expected
+
+
 def test_a_text_of_another_function() -> None:
     text = (
         REPLY.format("json reply;", GIVEN) + "void more() {\n  const char * reply = f().c_str();\n  send(reply);\n}\n"

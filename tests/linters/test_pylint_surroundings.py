@@ -558,3 +558,28 @@ def test_names_that_a_module_that_is_not_seen_may_have(tmp_path: Path, text: str
 )
 def test_names_that_no_module_that_is_seen_has(tmp_path: Path, text: str, more: dict[str, str]) -> None:
     assert not of_all(tmp_path, text, more)
+
+
+UNWRITTEN = "def f():\n    try:\n        # TODO: Add your code here\n    except ValueError:\n        pass\n"
+MISSED = "Parsing failed: 'expected an indented block after 'try' statement on line 2 (a, line 4)'"
+
+
+@pytest.mark.parametrize(
+    ("text", "more", "message", "expected"),
+    [
+        (UNWRITTEN, {}, MISSED, True),
+        (UNWRITTEN.replace("TODO: Add your code here", "Write the code"), {}, MISSED, True),
+        (UNWRITTEN.replace("TODO: Add your", "Your solution, in the\n        # lab, goes here"), {}, MISSED, True),
+        (UNWRITTEN, {"README.md": "Solve a.py.\n"}, MISSED, True),
+        (UNWRITTEN, {"a/b.py": "a = 1\n"}, MISSED, True),
+        (UNWRITTEN, {"a/b.py": "from a import f\n"}, MISSED, False),
+        (UNWRITTEN, {"a/CMakeLists.txt": "catkin_install_python(PROGRAMS a.py DESTINATION bin)\n"}, MISSED, False),
+        (UNWRITTEN, {"a/setup.py": "setup(scripts=['a.py'])\n"}, MISSED, False),
+        (UNWRITTEN, {"a/a.launch": '<launch><node pkg="a" type="a.py" name="n"/></launch>\n'}, MISSED, False),
+        (UNWRITTEN.replace("# TODO: Add your code here", ""), {}, MISSED, False),
+        (UNWRITTEN.replace("TODO: Add your code here", "TODO"), {}, MISSED, False),
+        (UNWRITTEN, {}, "Parsing failed: 'invalid syntax (a, line 4)'", False),
+    ],
+)
+def test_exercises(text: str, more: dict[str, str], message: str, expected: bool, tmp_path: Path) -> None:
+    assert of_tabs(tmp_path, text, "", more, message) is expected

@@ -71,6 +71,8 @@ def test_kinds_and_sources(cmake: str, kind: str, sources: list[str]) -> None:
         "rosbuild_add_gtest(t a.cpp)",
         "if(CATKIN_ENABLE_TESTING)\nadd_executable(t a.cpp)\nendif()",
         "if(BUILD_TESTING)\nfind_package(x REQUIRED)\nadd_executable(t a.cpp)\nendif()",
+        "if(${CATKIN_ENABLE_TESTING})\nadd_executable(t a.cpp)\nendif()",
+        'if("${BUILD_TESTING}")\nadd_executable(t a.cpp)\nendif()',
     ],
 )
 def test_tests(cmake: str) -> None:

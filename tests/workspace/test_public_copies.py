@@ -56,6 +56,14 @@ FIRES += [
         {**OWN, "src/gripper": ("robotiq_3f_gripper_control", (("JP", "ros@robotiq.com"),), "1.0.0")},
         {"src/gripper"},
     ),
+    (
+        {**OWN, "src/zed/zed_nodelets": ("zed_nodelets", (("STEREOLABS", "support@stereolabs.com"),), "3.5.0")},
+        {"src/zed"},
+    ),
+    (
+        {**OWN, "src/ublox/filters": ("ublox_msg_filters", (("Kevin", "kevin@dataspeedinc.com"),), "0.0.0")},
+        {"src/ublox"},
+    ),
     ({**OWN, "src/omni": ("phantom_omni", (("Dane", "git@danepowell.com"),), "1.0.0")}, {"src/omni"}),
 ]
 EVA = ("Eva Kant", "eva@lasers.org")

@@ -65,7 +65,23 @@ FIRES += [
     {**made(CHIPS), **MANY, "demo/package.xml": MANIFEST.replace("Apache-2.0", "BSD")},
     {**made(CHIPS.replace("Texas Instruments, Inc.", "NVIDIA CORPORATION")), **MANY},
 ]
+CONTRACT = "# Copyright © 2024 NaturalPoint, Inc. All Rights Reserved.\n# THIS SOFTWARE IS GOVERNED BY ITS EULA.\n"
+BESIDE = {f"demo/part{number}.py": CONTRACT + BODY for number in range(9)}
+FIRES += [
+    {**made(CONTRACT, "import part0\n" + BODY), **BESIDE},
+    {**made(CONTRACT.replace("ITS EULA", "A SOFTWARE LICENSE AGREEMENT")), **BESIDE},
+    {**made(CHIPS.replace("Texas Instruments, Inc.", "Intel Corporation")), **MANY},
+]
 QUIET = [
+    {**made(CONTRACT.replace("NaturalPoint, Inc.", "Some Points, Inc.")), "demo/more.py": HEAD},
+    {**made(CONTRACT.replace("EULA", "AUTHORS")), **BESIDE},
+    {**made(CONTRACT), **BESIDE, "demo/setup.py": "setup(author='NaturalPoint')\n"},
+    {**made(CONTRACT, "import rclpy\n" + BODY), **BESIDE},
+    {**made(CONTRACT, "from launch_ros.actions import Node\n" + BODY), **BESIDE},
+    {**made(CONTRACT, "from launch import LaunchDescription\n" + BODY), **BESIDE},
+    {**made(CONTRACT, "from arm.msg import Pose\n" + BODY), **BESIDE},
+    {**made(CONTRACT + "# Adapted for the arm.\n"), **BESIDE},
+    {**made(CONTRACT + "# Copyright 2020 Ada Lovage\n"), **BESIDE},
     {**made(CHIPS), **MANY, "chips/package.xml": MANIFEST.replace("a@example.org", "a@ti.com")},
     {**made(CHIPS), **MANY, "demo/setup.py": "setup(author='Texas Instruments')\n"},
     {**made(CHIPS + "# Copyright 2020 Ada Lovage\n"), **MANY},

@@ -181,8 +181,9 @@ def parameter_file(
     location: Location,
     found: str | None,
     patterns: Iterable[NodePattern] | None,
+    substitutes: bool = False,
 ) -> None:
-    """A parameter file that a node is given by the text *path*; *patterns* are its sections, None if it is not read."""
+    """A parameter file that a node is given by the text *path*; *patterns* are its sections, None if it is not read; *substitutes* says that launch opens it."""
     if path.known and not getattr(context, "is_asking", False):
         fact = ParameterFileUse(
             location=location,
@@ -194,6 +195,7 @@ def parameter_file(
             path=found,
             is_read=patterns is not None,
             patterns=tuple(patterns or ()),
+            substitutes=substitutes,
         )
         context.facts.files.append(fact)
 

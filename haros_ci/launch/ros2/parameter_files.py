@@ -59,7 +59,7 @@ def file_rules(
     try:
         file, trees = _trees(context, path, substitutes, location, 0)
     except _Missing as err:
-        ros2.parameter_file(context, path, location, None, None)
+        ros2.parameter_file(context, path, location, None, None, substitutes)
         return (missing(str(err), location),)
     patterns = sections_of(context.places, file, trees, component.name if component is not None else None)
     ros2.parameter_file(context, path, location, file, patterns)

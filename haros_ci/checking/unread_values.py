@@ -1,0 +1,69 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Arguments of launch files of ROS 1 that are given on to parameters of nodes alone, of which no code has the name: nobody reads what they say."""
+
+from __future__ import annotations
+
+import re
+from weakref import WeakKeyDictionary
+
+from haros_ci.checking.system import System
+from haros_ci.checking.whole import Whole
+from haros_ci.regex import regex
+
+#: Files of code that are looked at; where there are more, nothing is known.
+_MOST = 3_000
+#: Uses of an argument that are looked at.
+_MOST_USES = 20
+_PARAM = regex(r"<param\b([^<>]{0,1000})>")
+_NAME = regex(r"""\bname\s*=\s*["']([\w/~]{1,200})["']""")
+_NODE = regex(r"""<(/?)node\b([^<>]{0,2000}?)(/?)>""")
+_PACKAGE = regex(r"""\bpkg\s*=\s*["']([\w-]{1,200})["']""")
+_WORD = regex(r"[A-Za-z_]\w*")
+_COMMENT = regex(r"<!--.*?(?:-->|\Z)", re.DOTALL)
+#: What may use an argument without ``$(arg …)``.
+_OTHERWISE = regex(r"\$\(eval\b|\bpass_all_args\b")
+
+#: The words of all code, by what is known of the whole workspace.
+_words: WeakKeyDictionary[Whole, frozenset[str]] = WeakKeyDictionary()
+
+
+def unread_parameter(system: System, path: str, argument: str) -> str:
+    """The parameter that alone is given the launch *argument* of the file at *path*, and whose name no code of the workspace has; "" if there is none, or it may be read."""
+    if system.workspace is None or not re.fullmatch(r"[\w-]+", argument):
+        return ""
+    text = _COMMENT.sub("", system.workspace.text(path))
+    read = re.compile(rf"\$\(arg[ \t]+{re.escape(argument)}[ \t]*\)")
+    uses = sum(1 for _ in read.finditer(text))
+    given = [found for found in _PARAM.finditer(text) if read.search(found[1])]
+    if not 0 < uses <= _MOST_USES or len(given) != uses or _OTHERWISE.search(text):
+        return ""
+    names: set[str] = set()
+    for found in given:
+        name = _NAME.search(found[1])
+        if name is None or not _is_of_ours(system, text, found.start()):
+            return ""
+        names.add(name[1].rpartition("/")[2].lstrip("~"))
+    name_of_all = names.pop() if len(names) == 1 else ""
+    return name_of_all if name_of_all and not _is_in_code(system, name_of_all) else ""
+
+
+def _is_of_ours(system: System, text: str, place: int) -> bool:
+    """Whether the tag at *place* is in one of a node of a package of the workspace."""
+    around = None
+    for found in _NODE.finditer(text, 0, place):
+        around = None if found[1] or found[3] else found[2]
+    package = _PACKAGE.search(around) if around is not None else None
+    return package is not None and package[1] in system.packages
+
+
+def _is_in_code(system: System, name: str) -> bool:
+    """Whether any code of the workspace has the word *name*; where there is too much of it, or none, it may."""
+    whole = system.whole
+    if whole not in _words:
+        workspace = system.workspace
+        files = [one.path for one in workspace.files if one.language in ("cpp", "python")] if workspace else []
+        words: set[str] = set()
+        for path in files if workspace is not None and len(files) <= _MOST else ():
+            words.update(_WORD.findall(workspace.text(path)) if workspace is not None else ())
+        _words[whole] = frozenset(words)
+    return not _words[whole] or name in _words[whole]
