@@ -13,6 +13,7 @@ from weakref import WeakKeyDictionary
 from haros_ci.checking.check import Finding
 from haros_ci.checking.installing import landings
 from haros_ci.checking.project import Project
+from haros_ci.model.former_names import mention
 from haros_ci.regex import regex
 from haros_ci.results.overwritten import is_overwritten
 from haros_ci.results.result import Result
@@ -27,7 +28,7 @@ _NAMING = (
 _FOUND = regex(r"(?:__\w+__|setup|conf|conftest|test_.*|.*_test|main|node|.*launch.*)")
 #: What imports modules or starts files whose names stand nowhere.
 _DYNAMIC = regex(
-    r"\bimport_module\s*\(|\b__import__\s*\(|\bpkgutil\b|\bspec_from_file_location\b|\bload_source\s*\(|\brun_path\s*\(|\bexecfile\s*\(|\*\.py\b"
+    r"\bimport_module\s*\(|\b__import__\s*\(|\bpkgutil(?:[ \t]+as\b|[ \t]*\.[ \t]*(?!get_data\b)\w)|\bfrom[ \t]+pkgutil\b|\bspec_from_file_location\b|\bload_source\s*\(|\brun_path\s*\(|\bexecfile\s*\(|\*\.py\b"
 )
 #: Checks of systems that speak of what happens when a line runs.
 OF_A_LINE = frozenset(("parameter-read-undeclared",))
@@ -85,7 +86,7 @@ def _is_unstarted(project: Project, path: str) -> bool:
     package = inside[0]
     if package.has("CMakeLists.txt") and (landings(package, path) or package.cmake.installs_unknown):
         return False
-    word = re.compile(rf"(?<!\w){re.escape(stem)}(?!\w)")
+    word = re.compile(mention(path, stem))
     for name in project.workspace.names:
         if name == path or basename(name) == basename(path) or not _may_name(name):
             continue

@@ -27,6 +27,9 @@ _BY_ZERO = regex(r"(?:/=?|%=?)\s*(?:\(\s*)?(?:0[xX])?0+(?:\.0*)?[uUlLfF]{0,3}(?!
 _DIVISOR = regex(r"(?:/=?|%=?)\s*(?:\(\s*)?([A-Za-z_]\w{0,100})\b(?!\s*[(.\[]|\s*->)")
 #: Where the result goes if a division is done for its own sake.
 _TRIAL = regex(r"\bvolatile\b[^;=()]{1,200}=(?!=)")
+#: What a step of the way says of a call; and a text of Qt that names a function (QObject::connect), which cppcheck takes for a call of it.
+_CALLING = regex(r"Calling (?:function )?'?([A-Za-z_]\w*)")
+_QT_TEXT = regex(r"\b(?:SLOT|SIGNAL)\s*\([^()]{0,300}\([^()]{0,300}\)[^()]{0,100}\)")
 #: Lines between two conditions, and of the body of a lambda, that are looked at.
 _BETWEEN = 60
 _BODY = 4_000
@@ -39,6 +42,8 @@ def is_never_so(rule: str, message: str, steps: Sequence[Step], text: Callable[[
         return code_alone(text(path), "c")
 
     path, line, _ = steps[0]
+    if any(_is_named_alone(step, code) for step in steps[1:]):
+        return True
     if rule in OF_INDICES:
         return is_multiple(line, code(path)) or is_searched(steps, code)
     if rule == "nullPointer":
@@ -49,6 +54,16 @@ def is_never_so(rule: str, message: str, steps: Sequence[Step], text: Callable[[
         names = _names(message, steps)
         return bool(names) and _is_set_between(names, steps[1][1], line, text(path))
     return False
+
+
+def _is_named_alone(step: Step, code: Callable[[str], str]) -> bool:
+    """Whether the function that a step calls is named in ``SLOT()`` or ``SIGNAL()`` alone at that line."""
+    name = _CALLING.match(step[2])
+    if name is None:
+        return False
+    line = _line(code(step[0]), step[1])
+    rest = _QT_TEXT.sub("", line)
+    return rest != line and re.search(rf"(?<!\w){name[1]}\s*\(", rest) is None
 
 
 def _is_set_by_method(null: Step, used: Step, code: Callable[[str], str]) -> bool:

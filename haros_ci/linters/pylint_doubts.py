@@ -8,6 +8,7 @@ before it is called; it takes any mutable default for a shared one, and what the
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 
 from haros_ci.linters.class_methods import is_class_method, takes_value
 from haros_ci.linters.decorated import is_decorated
@@ -28,6 +29,7 @@ from haros_ci.linters.pylint_idioms import (
 from haros_ci.linters.pylint_statements import (
     gives_names,
     is_counted_up,
+    is_in_description,
     is_index_of_array,
     is_of_another,
     is_one_text,
@@ -94,6 +96,21 @@ _RAISED = (
 )
 
 
+#: What the text around a line refutes of one rule.
+_AT_LINE: dict[str, Callable[[str, int], bool]] = {
+    "bad-super-call": is_of_another,
+    "comparison-with-itself": is_test_for_nan,
+    "dangerous-default-value": is_only_read,
+    "implicit-str-concat": is_one_text,
+    "invalid-character-zero-width-space": is_in_description,
+    "modified-iterating-dict": is_of_known_key,
+    "nan-comparison": is_of_nan_itself,
+    "no-self-argument": is_class_method,
+    "self-assigning-variable": is_one_of_several,
+    "undefined-all-variable": lambda text, _: gives_names(text),
+}
+
+
 def is_refuted(rule: str, line: int, column: int, text: str) -> bool:  # noqa: C901 - one branch for each rule
     """Whether the *text* refutes what pylint says by *rule* at *line*, counted from 1, and *column*, from 0.
 
@@ -106,6 +123,8 @@ def is_refuted(rule: str, line: int, column: int, text: str) -> bool:  # noqa: C
         return True
     if rule in _RAISED and is_overwritten(text, line):
         return True
+    if rule in _AT_LINE:
+        return _AT_LINE[rule](text, line)
     if rule == "no-value-for-parameter":
         is_given = _is_decorated(code, line, column) or is_unpacked(code, line, column)
         return is_given or is_of_renamed(text, line, column)
@@ -118,42 +137,24 @@ def is_refuted(rule: str, line: int, column: int, text: str) -> bool:  # noqa: C
         return 0 < line <= code.count("\n") + 1 and _CONVERTED.search(code.split("\n")[line - 1]) is not None
     if rule == "condition-evals-to-constant":
         return _is_switched(code, line)
-    if rule == "implicit-str-concat":
-        return is_one_text(text, line)
     if rule == "too-many-format-args":
         return is_surplus(text, line, column)
-    if rule == "undefined-all-variable":
-        return gives_names(text)
-    if rule == "bad-super-call":
-        return is_of_another(text, line)
-    if rule in ("comparison-with-itself", "nan-comparison"):
-        return is_test_for_nan(text, line) if rule == "comparison-with-itself" else is_of_nan_itself(text, line)
     if rule == "function-redefined":
         return is_used_before(text, line) or is_instead_of_import(text, line) or loses_nothing(text, line)
-    if rule == "modified-iterating-dict":
-        return is_of_known_key(text, line)
     if rule == "self-cls-assignment":
         return is_no_object(text, line, column)
     if rule == "invalid-sequence-index":
         return is_index_of_array(text, line, column)
-    if rule == "trailing-comma-tuple":
-        return _has_items(code, line)
-    if rule == "dangerous-default-value":
-        return is_only_read(text, line)
+    if rule in ("bad-thread-instantiation", "trailing-comma-tuple"):
+        return is_placeholder(code, line) if rule == "bad-thread-instantiation" else _has_items(code, line)
     if rule == "too-many-function-args":
         return _is_of_shapes(code, line, column)
     if rule == "not-callable":
         return _is_tested(code, line, column) or is_left_to_subclasses(code, line, column)
-    if rule == "bad-thread-instantiation":
-        return is_placeholder(code, line)
-    if rule == "self-assigning-variable":
-        return is_one_of_several(text, line)
     if rule in ("undefined-variable", "used-before-assignment"):
         return is_counted_up(text, line) or _is_global_of_main(code, line, column)
     if rule == "possibly-used-before-assignment":
         return _is_of_main(code, line, column) or _is_module(code, line, column) or _is_of_platforms(code, line, column)
-    if rule == "no-self-argument":
-        return is_class_method(text, line)
     if rule == "deprecated-module":
         return _has_fallback(code, line)
     if rule == "anomalous-backslash-in-string":  # Python 2 says nothing of it

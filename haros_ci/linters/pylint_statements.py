@@ -74,6 +74,14 @@ def is_text(text: str, line: int) -> bool:
     return False
 
 
+def is_in_description(text: str, line: int) -> bool:
+    """Whether *line* is in a string that is a statement of its own: a docstring, or a comment in quotes."""
+    return any(
+        isinstance(node, ast.stmt) and _is_string(node) and node.lineno <= line <= (node.end_lineno or 0)
+        for node in nodes(text)
+    )
+
+
 def is_one_text(text: str, line: int) -> bool:
     """Whether the literals side by side on *line* are words of a text, and all that a call is given: no comma was forgotten between them."""
     found = False

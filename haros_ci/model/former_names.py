@@ -39,3 +39,11 @@ def is_archived(path: str) -> bool:
         _ARCHIVE_OF.fullmatch(folder) is not None or not _PUT_ASIDE.isdisjoint(re.split(r"[^a-z0-9]+", folder))
         for folder in folders
     )
+
+
+def mention(path: str, stem: str) -> str:
+    """The pattern of what names the file at *path* by its *stem*, a word; of an archived one, not as a module or file of another directory (``demo.walk`` for ``old/walk.py``)."""
+    name, folder = re.escape(stem), re.escape(path.rpartition("/")[0].rpartition("/")[2])
+    if not folder or not is_archived(path):
+        return rf"(?<!\w){name}(?!\w)"
+    return rf"(?:(?<![\w./])|(?<=\W[./])|(?<={folder}[./])){name}(?!\w)"

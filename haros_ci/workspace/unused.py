@@ -9,7 +9,7 @@ from collections import defaultdict
 from collections.abc import Collection, Iterable
 from functools import cached_property
 
-from haros_ci.model.former_names import is_archived, superseded
+from haros_ci.model.former_names import is_archived, mention, superseded
 from haros_ci.model.package import SourceFile
 from haros_ci.model.python_names import as_python_reads
 from haros_ci.model.unbuilt import SUFFIXES, is_cmake, not_included, uncompiled
@@ -48,7 +48,7 @@ _GIVEN_UP = regex(
 _OF_TOOLS = frozenset("test tests launch cfg doc docs plugins plugin".split())
 #: What imports modules whose names stand nowhere.
 _DYNAMIC = regex(
-    r"\bimport_module\s*\(|\b__import__\s*\(|\bpkgutil\b|\biter_modules\b|\bspec_from_file_location\b|\bload_source\s*\("
+    r"\bimport_module\s*\(|\b__import__\s*\(|\bpkgutil(?:[ \t]+as\b|[ \t]*\.[ \t]*(?!get_data\b)\w)|\bfrom[ \t]+pkgutil\b|\biter_modules\b|\bspec_from_file_location\b|\bload_source\s*\("
     r"|\bSourceFileLoader\b|\brun_path\s*\(|\brunpy\b|\bexecfile\s*\(|\*\.py\b|\blistdir\s*\(\s*os\.path\.dirname"
 )
 #: What names a module comes first: most modules are named by one of a few files.
@@ -150,15 +150,15 @@ class Unused(Judged):
 
     def _naming(self, file: SourceFile, stem: str) -> str:
         """The pattern of what names *file*: its *stem* as a word, but a common word (``controller``) of an archived file as a module or a file alone."""
-        name = re.escape(stem)
+        name = mention(file.path, stem)
         if file.language == "cmake":
-            return rf"\badd_subdirectory\s*\([^()]{{0,300}}(?<!\w){name}(?!\w)"
+            return rf"\badd_subdirectory\s*\([^()]{{0,300}}(?<!\w){re.escape(stem)}(?!\w)"
         if is_archived(file.path) and stem.isalpha() and stem.islower():
             return (
-                rf"(?m)(?<!\w){name}\.py(?!\w)|[\"'/]{name}[\"']|\w\.{name}[:\"']|^[ \t]*{name}[ \t]*,?[ \t]*$"
-                rf"|\bimport[ \t(][^\n]{{0,200}}(?<!\w){name}(?!\w)|\bfrom[ \t]+[\w.]{{0,200}}(?<!\w){name}(?!\w)"
+                rf"(?m){name}\.py(?!\w)|(?:(?<=[\"'/])|(?<=\w\.)){name}[:\"']|^[ \t]*{name}[ \t]*,?[ \t]*$"
+                rf"|\bimport[ \t(][^\n]{{0,200}}?{name}|\bfrom[ \t]+[\w.]{{0,200}}?{name}"
             )
-        return rf"(?<!\w){name}(?!\w)"
+        return name
 
     @cached_property
     def _by_order(self) -> list[SourceFile]:

@@ -84,6 +84,20 @@ def test_modules_of_ros2(entry: str, expected: Level, tmp_path: Path) -> None:
     assert level(files, tmp_path) is expected
 
 
+@pytest.mark.parametrize(
+    ("module", "expected"), [("demo.grasp_and_lift", Level.NOTE), ("demo.old.grasp_and_lift", Level.ERROR)]
+)
+def test_modules_that_are_set_aside(module: str, expected: Level, tmp_path: Path) -> None:
+    files = {
+        "package.xml": ROS2,
+        "setup.py": SETUP.format(f'"lift = {module}:main"'),
+        "demo/__init__.py": "",
+        "demo/old/__init__.py": "",
+        "demo/old/grasp_and_lift.py": SPIN,
+    }
+    assert level(files, tmp_path) is expected
+
+
 READS = (
     "#!/usr/bin/env python3\nimport rclpy\n\nrclpy.init()\nnode = rclpy.create_node('n')\nRATE = node.get_parameter('rate')\n\n\n"
     "def main():\n    rclpy.spin(node)\n\n\nmain()\n"

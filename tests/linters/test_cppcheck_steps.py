@@ -191,3 +191,33 @@ def test_a_condition_that_stays(text: str) -> None:
 def test_conditions_in_two_files() -> None:
     steps = [("a.h", 2, "opposite inner condition: done"), ("b.h", 1, "outer condition: !done")]
     assert not is_never_so("oppositeInnerCondition", "Opposite", steps, lambda path: "")
+
+
+CONNECT = "connect(this, SIGNAL(changed()), this, SLOT(refresh()));"
+
+
+@pytest.mark.parametrize("line", [CONNECT, "disconnect(a, SIGNAL(go(int, int)), this, SLOT(refresh(int)));"])
+def test_a_slot_that_is_named_is_not_called(line: str) -> None:
+    steps = [
+        ("a.h", 1, "update is a pure virtual function"),
+        ("a.h", 2, "Calling refresh"),
+        ("a.h", 3, "Calling update"),
+    ]
+    text = f"virtual void update() = 0;\n{line}\nvoid refresh() {{ update(); }}\n"
+    assert is_never_so("pureVirtualCall", "Call of pure virtual function 'update'", steps, {"a.h": text}.__getitem__)
+
+
+@pytest.mark.parametrize(
+    "line",
+    ["refresh();", f"{CONNECT} refresh();", "connect(this, SLOT(other())); this->refresh();", "SLOT(refresh);", ""],
+)
+def test_a_slot_that_is_called(line: str) -> None:
+    steps = [
+        ("a.h", 1, "update is a pure virtual function"),
+        ("a.h", 2, "Calling refresh"),
+        ("a.h", 3, "Calling update"),
+    ]
+    text = f"virtual void update() = 0;\n{line}\nvoid refresh() {{ update(); }}\n"
+    assert not is_never_so(
+        "pureVirtualCall", "Call of pure virtual function 'update'", steps, {"a.h": text}.__getitem__
+    )

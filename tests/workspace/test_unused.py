@@ -111,6 +111,14 @@ FIRES_PYTHON = [
     ),
     ("demo/old2/walk.py", {"demo/old2/walk.py": NODE, "demo/legacy/load.py": "__import__(name)\n"}),
     ("Old/walk.py", {"Old/walk.py": NODE}),
+    # what is named is a module or file of another directory, whether it is there or not
+    ("demo/old/walk_on.py", {"demo/old/walk_on.py": NODE, "setup.py": "x = ['walk = demo.walk_on:main']\n"}),
+    ("demo/old/walk.py", {"demo/old/walk.py": NODE, "setup.py": "x = ['walk_node = demo.walk:main']\n"}),
+    ("demo/old/walk_on.py", {"demo/old/walk_on.py": NODE, "go.py": "from demo.walk_on import main\n"}),
+    ("demo/old/walk_on.py", {"demo/old/walk_on.py": NODE, "README.md": "Run demo/walk_on.py\n"}),
+    ("demo/old/walk_on.py", {"demo/old/walk_on.py": NODE, "go.py": "self.walk_on()\n"}),
+    ("demo/old/walk_on.py", {"demo/old/walk_on.py": NODE, "go.py": "import pkgutil\n"}),
+    ("demo/old/walk_on.py", {"demo/old/walk_on.py": NODE, "go.py": "import pkgutil\npkgutil.get_data('a', 'b')\n"}),
     ("demo/pick-backup2.py", {"demo/pick-backup2.py": "#!/usr/bin/env python3\n" + NODE, "demo/pick.py": NODE}),
     ("demo/old_pick.py", {"demo/old_pick.py": MODULE, "demo/pick.py": MODULE}),
     ("notes/archive/test_pick.py", {"notes/archive/test_pick.py": NODE}),
@@ -212,6 +220,21 @@ QUIET_PYTHON = [
     ),
     ("archive/pick.py", {"archive/pick.py": NODE, "walk.py": "from archive.pick import main\n"}),
     ("archive/conftest.py", {"archive/conftest.py": NODE}),
+    *(
+        ("demo/old/walk_on.py", {"demo/old/walk_on.py": NODE, "go.py": text})
+        for text in (
+            "import pkgutil\npkgutil.walk_packages(p)\n",
+            "import pkgutil as p\np.walk_packages(a)\n",
+            "from pkgutil import walk_packages\n",
+        )
+    ),
+    ("demo/old/walk_on.py", {"demo/old/walk_on.py": NODE, "setup.py": "x = ['walk = demo.old.walk_on:main']\n"}),
+    ("demo/old/walk.py", {"demo/old/walk.py": NODE, "setup.py": "x = ['walk_node = demo.old.walk:main']\n"}),
+    ("demo/old/walk_on.py", {"demo/old/walk_on.py": NODE, "go.py": "from demo.old import walk_on\n"}),
+    ("demo/old/walk_on.py", {"demo/old/walk_on.py": NODE, "demo/go.py": "from .walk_on import main\n"}),
+    ("demo/old/walk_on.py", {"demo/old/walk_on.py": NODE, "demo/go.py": "sys.path.append('old')\nimport walk_on\n"}),
+    ("demo/old/walk_on.py", {"demo/old/walk_on.py": NODE, "go.sh": "cd demo/old && ./walk_on.py\n"}),
+    ("demo/old/walk_on.py", {"demo/old/walk_on.py": NODE, "demo/a.launch": "<node type='walk_on.py'/>\n"}),
     ("notes/pick.py", {"notes/pick.py": NODE}),
     ("notes/pick.py", {"notes/pick.py": NODE, "src/demo/package.xml": MANIFEST, "README.md": "Run notes/pick.py\n"}),
     ("src/demo/testing/pick.py", {"src/demo/testing/pick.py": NODE, "src/demo/package.xml": MANIFEST}),
