@@ -10,6 +10,7 @@ import os
 import signal
 import sys
 from contextlib import suppress
+from typing import Any
 
 import pytest
 from commandline import cache_home
@@ -47,6 +48,15 @@ for _number, (_key, _value) in enumerate(_GIT.items()):
 def pytest_configure(config: pytest.Config) -> None:
     if not hasattr(config, "workerinput"):  # before the processes of pytest-xdist begin
         cache_home()
+
+
+@pytest.hookimpl(optionalhook=True)
+def pytest_xdist_make_scheduler(config: pytest.Config, log: Any) -> object | None:
+    if config.getvalue("dist") != "loadscope":
+        return None
+    from scopes import Modules
+
+    return Modules(config, log)
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
