@@ -202,6 +202,19 @@ class Trap:
         )
 
 
+class Part:
+    """A directory of a trap in which a case stands beside others, so that one run looks at all of them."""
+
+    def __init__(self, trap: Trap, name: str) -> None:
+        self.trap = trap
+        self.name = name
+        self.root = trap.root / name
+        self.outside = trap.outside
+
+    def write(self, name: str | bytes, data: bytes | str) -> Path:
+        return self.trap.write(os.path.join(os.fsencode(self.name), os.fsencode(name)), data)
+
+
 def plain(more: Mapping[str, str]) -> dict[str, str]:
     """The environment without settings of git, GitHub or haros-ci, and *more*."""
     kept = {k: v for k, v in os.environ.items() if not k.startswith(("GIT_", "GITHUB_", "HAROS_CI_", "PYTHON"))}
