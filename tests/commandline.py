@@ -34,13 +34,15 @@ TALKER_PACKAGE = {
 }
 
 
-def haros(*arguments: str, cwd: Path, **environment: str) -> subprocess.CompletedProcess[str]:
-    """``haros-ci ARGUMENTS`` in *cwd*; CI variables of the machine the tests run on are kept away from it."""
+def haros(
+    *arguments: str, cwd: Path, driver: Path | None = None, **environment: str
+) -> subprocess.CompletedProcess[str]:
+    """``haros-ci ARGUMENTS`` in *cwd*, or a *driver* that calls it; CI variables of the machine the tests run on are kept away from it."""
     kept = {
         k: v for k, v in os.environ.items() if not k.startswith(("GITHUB_", "HAROS_")) and k not in ("CI", "COLUMNS")
     }
     env = {**kept, "XDG_CACHE_HOME": cache_home(), **environment}
-    done = server().run(list(arguments), cwd=cwd, env=env, timeout=300)
+    done = server().run(list(arguments), cwd=cwd, env=env, timeout=300, driver=driver)
     return subprocess.CompletedProcess(done.args, done.returncode, done.stdout.decode(), done.stderr.decode())
 
 
