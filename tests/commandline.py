@@ -12,6 +12,7 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from forked import server
+from repositories import begin
 
 GIT = {
     "GIT_CONFIG_GLOBAL": os.devnull,
@@ -72,8 +73,7 @@ def git(root: Path, *arguments: str) -> str:
 
 def commit(root: Path, message: str = "change") -> str:
     """All that is there as one commit; its name."""
-    if not (root / ".git").exists():
-        git(root, "init", "-q", "-b", "main")
+    begin(root)
     git(root, "add", "-A")
     git(root, "commit", "-q", "--allow-empty", "-m", message)
     return git(root, "rev-parse", "HEAD").strip()

@@ -16,6 +16,7 @@ from pathlib import Path
 from typing import Any
 
 from forked import server
+from repositories import begin
 
 #: Lies in every workspace; its one finding must be reported whatever lies beside it.
 CONTROL = "control.py"
@@ -155,8 +156,7 @@ class Trap:
 
     def commit(self) -> None:
         """Everything so far as a commit; the first one makes the repository."""
-        if not (self.root / ".git").exists():
-            self.git("init", "-q", "-b", "main")
+        begin(self.root)
         self.git("add", "-A")
         self.git("commit", "-q", "-m", "a change")
 
