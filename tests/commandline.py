@@ -12,6 +12,7 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from forked import server
+from repositories import begin
 
 GIT = {
     "GIT_CONFIG_GLOBAL": os.devnull,
@@ -34,13 +35,15 @@ TALKER_PACKAGE = {
 }
 
 
-def haros(*arguments: str, cwd: Path, **environment: str) -> subprocess.CompletedProcess[str]:
-    """``haros-ci ARGUMENTS`` in *cwd*; CI variables of the machine the tests run on are kept away from it."""
+def haros(
+    *arguments: str, cwd: Path, driver: Path | None = None, **environment: str
+) -> subprocess.CompletedProcess[str]:
+    """``haros-ci ARGUMENTS`` in *cwd*, or a *driver* that calls it; CI variables of the machine the tests run on are kept away from it."""
     kept = {
         k: v for k, v in os.environ.items() if not k.startswith(("GITHUB_", "HAROS_")) and k not in ("CI", "COLUMNS")
     }
     env = {**kept, "XDG_CACHE_HOME": cache_home(), **environment}
-    done = server().run(list(arguments), cwd=cwd, env=env, timeout=300)
+    done = server().run(list(arguments), cwd=cwd, env=env, timeout=300, driver=driver)
     return subprocess.CompletedProcess(done.args, done.returncode, done.stdout.decode(), done.stderr.decode())
 
 
@@ -70,8 +73,7 @@ def git(root: Path, *arguments: str) -> str:
 
 def commit(root: Path, message: str = "change") -> str:
     """All that is there as one commit; its name."""
-    if not (root / ".git").exists():
-        git(root, "init", "-q", "-b", "main")
+    begin(root)
     git(root, "add", "-A")
     git(root, "commit", "-q", "--allow-empty", "-m", message)
     return git(root, "rev-parse", "HEAD").strip()

@@ -9,12 +9,15 @@ import gc
 import os
 import signal
 import sys
+from collections.abc import Generator
 from contextlib import suppress
+from typing import Any
 
 import pytest
 from commandline import cache_home
 from hypothesis import settings
 from tiers import is_slow
+from together import are_chosen, together
 
 settings.register_profile("steady", derandomize=True, database=None, deadline=None)
 settings.load_profile("steady")
@@ -47,6 +50,23 @@ for _number, (_key, _value) in enumerate(_GIT.items()):
 def pytest_configure(config: pytest.Config) -> None:
     if not hasattr(config, "workerinput"):  # before the processes of pytest-xdist begin
         cache_home()
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_pycollect_makeitem(collector: pytest.Module | pytest.Class) -> Generator[None, Any, Any]:
+    found = yield
+    if hasattr(collector.config, "workerinput") and isinstance(found, list) and not are_chosen(collector.config):
+        return together(found)
+    return found
+
+
+@pytest.hookimpl(optionalhook=True)
+def pytest_xdist_make_scheduler(config: pytest.Config, log: Any) -> object | None:
+    if config.getvalue("dist") != "loadscope":
+        return None
+    from scopes import Modules
+
+    return Modules(config, log)
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:

@@ -15,7 +15,8 @@ from haros_ci.results.result import Notification
 MOST = 10
 #: Those of C++ and Python have a note of their own (:mod:`seen_otherwise`), or a finding.
 _LOOKED_AT = frozenset("cmake dockerfile interface launch package setup shell toml world xml yaml".split())
-_RETURN = regex(r"\r(?!\r*\n)")
+#: As many returns as there are, with what ends them: looked at once, however many there are.
+_RETURNS = regex(r"\r+\n?")
 
 
 def notifications(head: Workspace, base: Workspace | None) -> tuple[Notification, ...]:
@@ -41,5 +42,6 @@ def lone_return(text: str) -> int | None:
     """The first line of *text* with a carriage return that no line feed follows; one at the very end is none."""
     if "\r" not in text:
         return None
-    match = _RETURN.search(text.rstrip("\r"))
-    return None if match is None else text.count("\n", 0, match.start()) + 1
+    found = _RETURNS.finditer(text.rstrip("\r"))
+    alone = next((match.start() for match in found if not match[0].endswith("\n")), None)
+    return None if alone is None else text.count("\n", 0, alone) + 1

@@ -49,11 +49,10 @@ def hosted(programs: Programs, rows: Mapping[str, tuple[Row, ...]]) -> dict[tupl
     They are those whose description names a base class outside the workspace of which *rows* know the methods that the
     program calls.
     """
-    bases = {name for name, found in rows.items() if any(row.is_class and row.entry for row in found)}
     found: dict[tuple[str, str], Found] = {}
     for plugin, source, definition, files in described_classes(programs):
         base = base_of(plugin)
-        if base in bases and base not in programs.cpp.classes:
+        if base not in programs.cpp.classes and any(row.is_class and row.entry for row in rows.get(base, ())):
             entry = Entry(source, definition=definition, is_hosted=True)
             found.setdefault((plugin.package, plugin.type.strip()), (entry, files))
     return found

@@ -16,6 +16,7 @@ from pathlib import Path
 from typing import Any
 
 from forked import server
+from repositories import begin
 
 #: Lies in every workspace; its one finding must be reported whatever lies beside it.
 CONTROL = "control.py"
@@ -155,8 +156,7 @@ class Trap:
 
     def commit(self) -> None:
         """Everything so far as a commit; the first one makes the repository."""
-        if not (self.root / ".git").exists():
-            self.git("init", "-q", "-b", "main")
+        begin(self.root)
         self.git("add", "-A")
         self.git("commit", "-q", "-m", "a change")
 
@@ -200,6 +200,19 @@ class Trap:
             timeout=self.timeout,
             check=False,
         )
+
+
+class Part:
+    """A directory of a trap in which a case stands beside others, so that one run looks at all of them."""
+
+    def __init__(self, trap: Trap, name: str) -> None:
+        self.trap = trap
+        self.name = name
+        self.root = trap.root / name
+        self.outside = trap.outside
+
+    def write(self, name: str | bytes, data: bytes | str) -> Path:
+        return self.trap.write(os.path.join(os.fsencode(self.name), os.fsencode(name)), data)
 
 
 def plain(more: Mapping[str, str]) -> dict[str, str]:

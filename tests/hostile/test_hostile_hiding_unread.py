@@ -8,9 +8,10 @@ import re
 import sys
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Any
 
 import pytest
-from hostile_kit import CHEAP_FINDING, CONTROL, Outcome, Trap, assert_harmless
+from hostile_kit import CHEAP_FINDING, CONTROL, Outcome, Part, Trap, assert_harmless
 
 QUICK = ("--ignore=pylint,cpplint,metrics,ruff,cppcheck",)
 RULE = "file-not-analysed"
@@ -20,20 +21,31 @@ LFS = "version https://git-lfs.github.com/spec/v1"
 A = "src/a.cpp"
 
 
+#: Where a case stands.
+Place = Trap | Part
+
+
 @dataclass(frozen=True)
 class Case:
     """What the head does to a file, and words of the message at *path*."""
 
     name: str
-    head: Callable[[Trap], object]
+    head: Callable[[Place], object]
     says: str
     path: str = A
-    base: Callable[[Trap], object] = lambda t: None
+    base: Callable[[Place], object] = lambda t: None
+    is_alone: bool = False  # what it does concerns files of other cases
 
 
-def replaced(trap: Trap, name: str, target: str) -> None:
-    (trap.root / name).unlink()
-    (trap.root / name).symlink_to(target)
+def replaced(place: Place, name: str, target: str) -> None:
+    (place.root / name).unlink()
+    (place.root / name).symlink_to(target)
+
+
+def secret(place: Place, name: str = A) -> str:
+    """The file outside that has the ending of *name*, as a link from there."""
+    outside = (place.outside / "secret").with_suffix(".py" if name.endswith(".py") else ".hpp")
+    return os.path.relpath(outside, (place.root / name).parent)
 
 
 CASES = [
@@ -43,9 +55,9 @@ CASES = [
     Case("a pointer", lambda t: t.write("n.hpp", f"{LFS}\noid sha256:0\nsize 1\n"), "a pointer of Git LFS", "n.hpp"),
     Case("UTF-16", lambda t: t.write(A, TEXT.encode("utf-16")), "encoded as UTF-16; save it as UTF-8"),
     Case("large", lambda t: t.write(A, TEXT * 100_000), "more than the limit of 2000000; raise it or exclude the file"),
-    Case("a link out", lambda t: replaced(t, A, "../../outside/secret.hpp"), "leads out of the workspace"),
+    Case("a link out", lambda t: replaced(t, A, secret(t)), "leads out of the workspace"),
     Case("a link to nowhere", lambda t: replaced(t, A, "nowhere"), "leads nowhere"),
-    Case("a new link out", lambda t: (t.root / "b.py").symlink_to("../outside/secret.py"), "leads out", "b.py"),
+    Case("a new link out", lambda t: (t.root / "b.py").symlink_to(secret(t, "b.py")), "leads out", "b.py"),
     Case(
         "a link to a file that is no source",
         lambda t: [t.write("src/a.txt", TEXT), replaced(t, A, "a.txt")],
@@ -81,6 +93,7 @@ CASES = [
             *(t.write(name, TEXT.encode("utf-16")) for name in (A, CHEAP_FINDING[0])),
         ],
         "encoded as UTF-16",
+        is_alone=True,
     ),
     Case("a manifest", lambda t: t.write("src/package.xml", "<package>\0</package>"), "binary data", "src/package.xml"),
     Case("a launch file", lambda t: t.write("x.launch", f"<launch>{' ' * 30_000}</launch>"), "20000", "x.launch"),
@@ -107,19 +120,50 @@ def told(outcome: Outcome) -> list[tuple[str, str, str | None, str]]:
     return [(r["path"], r["level"], r["state"], r["message"]) for r in found]
 
 
+class Requests:
+    """Pull requests, each with all cases that can stand beside one another, and what runs say of it."""
+
+    def __init__(self, new_trap: Callable[[], Trap]) -> None:
+        self.new_trap = new_trap
+        self.made: dict[tuple[int, str], tuple[Trap, list[Outcome]]] = {}
+
+    def of(self, case: Any, cases: list[Any], *runs: tuple[str, ...]) -> tuple[Trap, str, list[Outcome]]:
+        """The trap, the directory of *case* in it with a slash, and the outcome of each of the *runs*."""
+        together = [] if case.is_alone else [each for each in cases if not each.is_alone]
+        key = (id(cases), case.name if case.is_alone else "")
+        if key not in self.made:
+            trap = self.new_trap()
+            places = [trap] if case.is_alone else [Part(trap, f"c{number}") for number in range(len(together))]
+            stood = list(zip(places, together or [case]))
+            pull_request(
+                trap,
+                lambda _: [[place.write(A, TEXT), each.base(place)] for place, each in stood],
+                lambda _: [each.head(place) for place, each in stood],
+            )
+            self.made[key] = trap, [trap.run(*arguments) for arguments in runs]
+        trap, outcomes = self.made[key]
+        return trap, "" if case.is_alone else f"c{together.index(case)}/", outcomes
+
+
+@pytest.fixture(scope="module")
+def requests(new_trap: Callable[[], Trap]) -> Requests:
+    return Requests(new_trap)
+
+
 @pytest.mark.parametrize("case", CASES, ids=lambda case: case.name)
-def test_it_is_a_finding_at_the_file(case: Case, trap: Trap) -> None:
-    pull_request(trap, case.base, case.head)
-    outcome = trap.run("--baseline-rev=main", *QUICK)
+def test_it_is_a_finding_at_the_file(case: Case, requests: Requests) -> None:
+    against, without = ("--baseline-rev=main", *QUICK), ("--baseline-rev=nowhere", "--no-require-baseline", *QUICK)
+    trap, place, (outcome, again) = requests.of(case, CASES, against, without)
     assert outcome.code == 1, (outcome.stderr, outcome.notes())
-    [(path, level, state, message)] = [found for found in told(outcome) if found[0] == case.path]
-    assert (path, level, state) == (case.path, "warning", "new")
-    assert case.says in message
+    [(path, level, state, message)] = [found for found in told(outcome) if found[0] == place + case.path]
+    assert (path, level, state) == (place + case.path, "warning", "new")
+    assert path in {r["path"] for r in outcome.report["results"] if r["rule"] == RULE and r["open"]}
+    assert case.says in message.replace(place, "")
     assert f"haros-ci:{RULE}" in outcome.formats["text"] and RULE in outcome.formats["github"]
-    assert not [words for place, words in outcome.notes() if place == path and case.says in words], "it is said once"
+    said = [words.replace(place, "") for where, words in outcome.notes() if where == path]
+    assert not [words for words in said if case.says in words], "it is said once"
     assert_harmless(trap, outcome)
-    again = trap.run("--baseline-rev=nowhere", "--no-require-baseline", *QUICK)
-    assert (case.path, "warning", None, message) in told(again), "without the base everything counts"
+    assert (path, "warning", None, message) in told(again), "without the base everything counts"
 
 
 @dataclass(frozen=True)
@@ -127,32 +171,36 @@ class Quiet:
     """No finding; *says* stands in a message."""
 
     name: str
-    base: Callable[[Trap], object]
-    head: Callable[[Trap], object] = lambda t: t.write("readme", "")
+    base: Callable[[Place], object]
+    head: Callable[[Place], object] = lambda t: t.write("readme", "")
     says: str = ""
     arguments: tuple[str, ...] = ("--baseline-rev=main",)
+    is_alone: bool = False  # what it does or asks concerns files of other cases
 
 
 QUIET = [
     Quiet("it was so", lambda t: t.write(A, LONG), says="skipped: a line of more than 5000 characters"),
     Quiet("it was so, and large", lambda t: t.write(A, TEXT * 100_000), says="more than the limit"),
-    Quiet("it was so, and a link", lambda t: replaced(t, A, "../../outside/secret.hpp"), says="leads out"),
+    Quiet("it was so, and a link", lambda t: replaced(t, A, secret(t)), says="leads out"),
     Quiet(
         "it has moved",
         lambda t: t.write("src/old.cpp", LONG),
         lambda t: (t.root / "src/old.cpp").rename(t.root / "src/new.cpp"),
         says="5000",
+        is_alone=True,
     ),
     Quiet(
         "what git converts",
         lambda t: [t.write("w.cpp", LONG), t.write(".gitattributes", "*.cpp text eol=crlf\n")],
         says="5000",
+        is_alone=True,
     ),
-    Quiet("no base revision", lambda t: None, lambda t: t.write(A, LONG), "5000", ()),
+    Quiet("no base revision", lambda t: None, lambda t: t.write(A, LONG), "5000", (), is_alone=True),
     Quiet(
         "not committed",
         lambda t: t.write(".gitignore", "/out\n"),
         lambda t: [t.write("out/x.cpp", LONG), t.write("readme", "")],
+        is_alone=True,
     ),
     Quiet("prose", lambda t: None, lambda t: t.write("a.md", "x" * 30_000 + "\n")),
     Quiet("long prose", lambda t: None, lambda t: t.write("a.md", "x\n" * 2_000_000), "more than the limit"),
@@ -173,21 +221,35 @@ QUIET = [
         lambda t: None,
         lambda t: t.write(A, LONG),
         arguments=("--baseline-rev=main", "--exclude=src"),
+        is_alone=True,
     ),
-    Quiet("left out by the base", lambda t: t.write(".haros-ci.yaml", "exclude: [src]\n"), lambda t: t.write(A, LONG)),
     Quiet(
-        "turned off by the base", lambda t: t.write(".haros-ci.yaml", f"ignore: [{RULE}]\n"), lambda t: t.write(A, LONG)
+        "left out by the base",
+        lambda t: t.write(".haros-ci.yaml", "exclude: [src]\n"),
+        lambda t: t.write(A, LONG),
+        is_alone=True,
+    ),
+    Quiet(
+        "turned off by the base",
+        lambda t: t.write(".haros-ci.yaml", f"ignore: [{RULE}]\n"),
+        lambda t: t.write(A, LONG),
+        is_alone=True,
     ),
 ]
 
 
 @pytest.mark.parametrize("case", QUIET, ids=lambda case: case.name)
-def test_it_is_no_finding(case: Quiet, trap: Trap) -> None:
-    pull_request(trap, case.base, case.head)
-    outcome = trap.run(*case.arguments, *QUICK)
+def test_it_is_no_finding(case: Quiet, requests: Requests) -> None:
+    _, place, (outcome,) = requests.of(case, QUIET, (*case.arguments, *QUICK))
+    assert_quiet(case, place, outcome)
+
+
+def assert_quiet(case: Quiet, place: str, outcome: Outcome) -> None:
+    """Nothing is found, and of the files of the case nothing is said but what it names."""
     assert outcome.code == 0, (outcome.stderr, outcome.formats["text"])
     assert told(outcome) == []
-    assert outcome.says(case.says) if case.says else outcome.notes() == [], outcome.notes()
+    said = [message for path, message in outcome.notes() if path is None or path.startswith(place)]
+    assert any(case.says in message for message in said) if case.says else said == [], outcome.notes()
 
 
 OF_BUILDS = [
@@ -261,12 +323,21 @@ DIRECTIVES = {
 }
 
 
-@pytest.mark.parametrize("name", DIRECTIVES)
-def test_directives_hide_no_code(name: str, trap: Trap) -> None:
-    pull_request(trap, lambda t: None, lambda t: t.write(A, DIRECTIVES[name]))
-    outcome = trap.run("--baseline-rev=main", "--ignore=pylint,cpplint,metrics,ruff", "--select=nullPointer")
-    where = re.split("\r\n|\n|\r", DIRECTIVES[name][: DIRECTIVES[name].index(DEFECT)])
-    assert (A, len(where), "nullPointer") in outcome.findings(), outcome.notes()
+def written(path: str, text: str) -> Callable[[Place], object]:
+    return lambda place: place.write(path, text)
+
+
+HIDDEN = [Case(name, written(A, text), "") for name, text in DIRECTIVES.items()]
+
+
+@pytest.mark.parametrize("case", HIDDEN, ids=lambda case: case.name)
+def test_directives_hide_no_code(case: Case, requests: Requests) -> None:
+    arguments = ("--baseline-rev=main", "--ignore=pylint,cpplint,metrics,ruff", "--select=nullPointer")
+    trap, place, (outcome,) = requests.of(case, HIDDEN, arguments)
+    text = DIRECTIVES[case.name]
+    where = re.split("\r\n|\n|\r", text[: text.index(DEFECT)])
+    assert (place + A, len(where), "nullPointer") in outcome.findings(), outcome.notes()
+    assert place + A in {r["path"] for r in outcome.report["results"] if r["rule"] == "nullPointer" and r["open"]}
     assert outcome.code == 1
     assert_harmless(trap, outcome)
 
@@ -296,19 +367,28 @@ UNREADABLE = {
 }
 
 
+NOT_ANALYSED = [
+    Case(name, written(path, text), tool, path, base=written(B, "x = 1\n"))
+    for name, (path, text, tool) in UNREADABLE.items()
+    if "newer" not in name or sys.version_info < (3, 12)
+]
+
+
 @pytest.mark.parametrize("name", UNREADABLE)
-def test_what_a_linter_cannot_analyse_since_a_change(name: str, trap: Trap) -> None:
-    if "newer" in name and sys.version_info >= (3, 12):
+def test_what_a_linter_cannot_analyse_since_a_change(name: str, requests: Requests) -> None:
+    case = next((case for case in NOT_ANALYSED if case.name == name), None)
+    if case is None:
         pytest.skip("pylint reads it")
-    path, text, tool = UNREADABLE[name]
-    pull_request(trap, lambda t: t.write(B, "x = 1\n"), lambda t: t.write(path, text))
-    outcome = trap.run("--baseline-rev=main", *LINTERS)
+    trap, place, (outcome,) = requests.of(case, NOT_ANALYSED, ("--baseline-rev=main", *LINTERS))
     assert outcome.code == 1, outcome.notes()
-    [(place, level, state, message)] = [found for found in told(outcome) if tool in found[3]]
-    assert (place, level, state) == (path, "warning", "new") and message.startswith(f"{tool} cannot analyse this file")
-    assert not [words for _, words in outcome.notes() if words.startswith(f"{tool} could not analyse")], (
-        "it is said once"
-    )
+    [(path, level, state, message)] = [
+        found for found in told(outcome) if found[0].startswith(place) and case.says in found[3]
+    ]
+    assert (path, level, state) == (place + case.path, "warning", "new")
+    assert path in {r["path"] for r in outcome.report["results"] if r["rule"] == RULE and r["open"]}
+    assert message.startswith(f"{case.says} cannot analyse this file")
+    said = [words for where, words in outcome.notes() if where is None or where.startswith(place)]
+    assert not [words for words in said if words.startswith(f"{case.says} could not analyse")], "it is said once"
     assert_harmless(trap, outcome)
 
 
@@ -328,12 +408,15 @@ READABLE = [
         lambda t: t.write(B, "type X = int\n"),
         lambda t: t.write("src/new.py", "type Y = int\n"),
         "it is for Python 3.12",
+        is_alone=True,
     ),
     Quiet("new Python 2", lambda t: None, lambda t: t.write(B, "print 'x'\n"), "it is Python 2"),
     Quiet(
         "Python 2 as before", lambda t: t.write(B, "print 'x'\n"), lambda t: t.write(B, "print 'y'\n"), "it is Python 2"
     ),
-    Quiet("no base revision", lambda t: None, lambda t: t.write(A, OLD), "cppcheck could not analyse", ()),
+    Quiet(
+        "no base revision", lambda t: None, lambda t: t.write(A, OLD), "cppcheck could not analyse", (), is_alone=True
+    ),
     Quiet(
         "a header of others that was so",
         lambda t: [t.write("src/h.hpp", "int \\u00e9;\n"), t.write(A, f'#include "h.hpp"\n{TEXT}')],
@@ -344,6 +427,7 @@ READABLE = [
         "turned off by the base",
         lambda t: t.write(".haros-ci.yaml", f"ignore: [{RULE}]\n"),
         lambda t: t.write(A, OLD),
+        is_alone=True,
     ),
     Quiet(
         "an error of the preprocessor", lambda t: None, lambda t: t.write(A, f"#ifndef X\n#error no\n#endif\n{TEXT}")
@@ -355,14 +439,11 @@ READABLE = [
 
 
 @pytest.mark.parametrize("case", READABLE, ids=lambda case: case.name)
-def test_what_linters_could_not_analyse_before(case: Quiet, trap: Trap) -> None:
+def test_what_linters_could_not_analyse_before(case: Quiet, requests: Requests) -> None:
     if "newer" in case.name and sys.version_info >= (3, 12):
         pytest.skip("pylint reads it")
-    pull_request(trap, case.base, case.head)
-    outcome = trap.run(*case.arguments, *LINTERS)
-    assert outcome.code == 0, (outcome.stderr, outcome.formats["text"])
-    assert told(outcome) == []
-    assert outcome.says(case.says) if case.says else outcome.notes() == [], outcome.notes()
+    _, place, (outcome,) = requests.of(case, READABLE, (*case.arguments, *LINTERS))
+    assert_quiet(case, place, outcome)
 
 
 def test_a_wrong_file_is_one_finding(trap: Trap) -> None:

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import os
+import shutil
 from collections.abc import Callable
 from pathlib import Path
 
@@ -57,16 +58,24 @@ FILLERS = {
 }
 
 
-@pytest.fixture
-def here(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """The workspace, which is the current directory; beside it ``outside``, which nothing may write into."""
-    root = write(tmp_path / "ws", FILES)
+@pytest.fixture(scope="module")
+def made(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The workspace as a repository, of which each test has a copy, beside a cache that all of them share."""
+    root = write(tmp_path_factory.mktemp("made") / "ws", FILES)
     commit(root)
+    return root
+
+
+@pytest.fixture
+def here(tmp_path: Path, made: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """The workspace, which is the current directory; beside it ``outside``, which nothing may write into."""
+    root = tmp_path / "ws"
+    shutil.copytree(made, root)
     write(tmp_path / "outside", {"precious": OLD, "dir/keep": OLD})
     monkeypatch.chdir(root)
     for name in ("CI", "GITHUB_ACTIONS", "GITHUB_STEP_SUMMARY", "COLUMNS"):
         monkeypatch.delenv(name, raising=False)
-    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "xdg"))
+    monkeypatch.setenv("XDG_CACHE_HOME", str(made.parent / "xdg"))
     return root
 
 

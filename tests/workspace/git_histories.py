@@ -7,6 +7,8 @@ import subprocess
 from collections.abc import Mapping
 from pathlib import Path
 
+from repositories import begin
+
 MANIFEST = b'<package format="3"><name>%s</name><version>1.0.0</version></package>\n'
 
 
@@ -29,7 +31,7 @@ class Git:
     def __init__(self, top: Path) -> None:
         self.top = top
         top.mkdir(parents=True, exist_ok=True)
-        self("init", "-q", "-b", "main")
+        begin(self.top)
 
     def __call__(self, *arguments: str) -> str:
         done = subprocess.run(["git", *arguments], cwd=self.top, capture_output=True, check=True)
