@@ -30,6 +30,7 @@ from haros_ci.model.launch_facts import (
     ParameterFileUse,
     PathUse,
     ProgramUse,
+    RefusedValue,
 )
 from haros_ci.model.location import Location
 from haros_ci.substitutions.names import Text
@@ -181,8 +182,12 @@ def parameter_file(
     location: Location,
     found: str | None,
     patterns: Iterable[NodePattern] | None,
+    refused: RefusedValue | None = None,
 ) -> None:
-    """A parameter file that a node is given by the text *path*; *patterns* are its sections, None if it is not read."""
+    """A parameter file that a node is given by the text *path*; *patterns* are its sections, None if it is not read.
+
+    *refused* is where the node's process stops that reads it.
+    """
     if path.known and not getattr(context, "is_asking", False):
         fact = ParameterFileUse(
             location=location,
@@ -194,6 +199,7 @@ def parameter_file(
             path=found,
             is_read=patterns is not None,
             patterns=tuple(patterns or ()),
+            refused=refused,
         )
         context.facts.files.append(fact)
 

@@ -23,6 +23,7 @@ from haros_ci.launch.ros2.parameter_yaml import (
     size_of,
 )
 from haros_ci.launch.ros2.places import Places
+from haros_ci.launch.ros2.refused_values import refused_in
 from haros_ci.launch.ros2.rewritten import rewrite, rewritten_names
 from haros_ci.launch.ros2.substitutions import perform
 from haros_ci.model.architecture import Unknown
@@ -62,7 +63,10 @@ def file_rules(
         ros2.parameter_file(context, path, location, None, None)
         return (missing(str(err), location),)
     patterns = sections_of(context.places, file, trees, component.name if component is not None else None)
-    ros2.parameter_file(context, path, location, file, patterns)
+    is_as_written = component is None and path.raw not in context.rewritten
+    ros2.parameter_file(
+        context, path, location, file, patterns, refused_in(context.places, file) if is_as_written else None
+    )
     key = ("rules", id(trees), file, location, component)
     if key in context.places.made:
         found, leaves = context.places.made[key][1]
