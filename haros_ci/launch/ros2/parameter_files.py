@@ -57,13 +57,15 @@ def file_rules(
     own = context.places.written.get((path.raw, path.reasons))
     if own is not None:
         return _of_written(context, own, path, location, component)
+    is_as_written = component is None and path.raw not in context.rewritten
     try:
         file, trees = _trees(context, path, substitutes, location, 0)
     except _Missing as err:
-        ros2.parameter_file(context, path, location, None, None)
+        there = context.places.read(path.raw)[0] if path.known and is_as_written else None
+        refused = refused_in(context.places, there) if there is not None else None
+        ros2.parameter_file(context, path, location, None, None, refused)
         return (missing(str(err), location),)
     patterns = sections_of(context.places, file, trees, component.name if component is not None else None)
-    is_as_written = component is None and path.raw not in context.rewritten
     ros2.parameter_file(
         context, path, location, file, patterns, refused_in(context.places, file) if is_as_written else None
     )
