@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import hashlib
+import os
 import shutil
 from collections.abc import Callable
 from pathlib import Path
@@ -583,3 +584,14 @@ def test_what_a_sparse_checkout_leaves_out_is_named(
     assert [problem.path for problem in found] == ([named] if named else [])
     if named:
         assert found[0].message.startswith(f"{len(gone)} tracked file")
+
+
+def test_a_pipe_is_named_where_it_is_asked_for_or_tracked(git: Git) -> None:
+    git.commit({"a.py": b"", "b.py": b""})
+    (git.top / "a.py").unlink()
+    os.mkfifo(git.top / "a.py")
+    os.mkfifo(git.top / "c.py")
+    found = {problem.path: problem.message for problem in discover(git.top, (".",)).problems}
+    assert "it is a pipe" in found["a.py"] and "c.py" not in found
+    (asked,) = (problem for problem in discover(git.top, ("c.py",)).problems if problem.path == "c.py")
+    assert asked.message.startswith("skipped: it cannot be read (it is a pipe")
