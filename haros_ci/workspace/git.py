@@ -159,7 +159,7 @@ class GitFiles:
     """What git lists: *files*, the repositories *nested* in them, *executables* and, by *tracked* path, the name of what the index holds.
 
     *is_whole* is false where git did not find in its time what is not tracked: none of that is among them then. *sparse* are the tracked
-    files that it is told to leave out of the work tree (git-sparse-checkout(1)).
+    files that it leaves out of the work tree (git-sparse-checkout(1)).
     """
 
     files: list[str]
