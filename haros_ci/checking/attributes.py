@@ -115,27 +115,28 @@ def unset_attributes(project: Project) -> Iterator[Unset]:
         if not class_.read or source.package is None or not _is_plain(code, class_.owner):
             continue
         family = [classes[name] for name in sorted(related[key]) if name in classes]
+        files = {one.owner[0].path for one in family}
         if any(_is(above, name) for name in related[key] for above, _ in parents.get(name, ())):
             continue  # a class that is called like the one that it inherits, which comes from elsewhere
         libraries = {name for member in related[key] for above, name in parents.get(member, ()) if above is None}
         if len(family) < len(related[key]) or not libraries <= {*_PLAIN, *_KNOWN}:
             continue
-        if any(makes_by_name(code, path) for path in {one.owner[0].path for one in family}):
+        if any(makes_by_name(code, path) for path in files):
             continue
         if not _is_made(code, definition.name, is_alone=len(family) == 1):
             continue
         has = set().union(*(one.has for one in family), *(_KNOWN.get(name, frozenset()) for name in libraries))
         if "__init__" not in has:
             continue
-        known = set(class_.has).union(*(_known(above, name, classes) for above, name in parents[key]))
+        known = frozenset(class_.has).union(*(_known(above, name, classes) for above, name in parents[key]))
         if not libraries <= _PLAIN | {"threading.Thread"}:
             has |= _LIFECYCLE  # rclpy may get these names for its plain nodes
         for name, routine in sorted(class_.read.items()):
             is_hidden = name.startswith("__") or (name.startswith("_") and bool(libraries - _PLAIN))
             if name in has or name in elsewhere or is_hidden or name in asked_for(code, source.path):
                 continue
-            is_reached = _is_reached(code, routine, {one.owner[0].path for one in family})
-            yield Unset(definition.name, name, routine, _place(code, routine, name), frozenset(known), is_reached)
+            is_reached = _is_reached(code, routine, files)
+            yield Unset(definition.name, name, routine, _place(code, routine, name), known, is_reached)
 
 
 def _known(above: Owner | None, name: str, classes: dict[tuple[str, str], _Attributes]) -> Set[str]:
