@@ -13,7 +13,7 @@ from collections import Counter
 from collections.abc import Iterator, Set
 
 from haros_ci import syntax
-from haros_ci.checking.attribute_words import (
+from haros_ci.checking.file_words import (
     asked_for,
     called_in,
     defined_in,

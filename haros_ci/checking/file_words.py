@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable, Mapping, Set
 from typing import TypeVar
 
@@ -23,6 +24,10 @@ _NAMED = regex(r"(?<!\w)(?<!def )\w+")
 _NAMED_ELSEWHERE = regex(r"(?<!\w)(?<!def )(?<!\bself\.)\w+")
 _DEFINED = regex(r"\bdef[ \t]+(\w+)")
 _MEMBER = regex(r"\b\w+\.(?=(\w+))")
+#: Comments, and texts in one line.
+_NO_CODE = regex(r"#[^\n]*|\"[^\"\n]*\"|'[^'\n]*'")
+_SHARED = regex(r"(?m)^[ \t]*(?:global|nonlocal)\s([^\n]*)")
+_WORD = regex(r"\w+")
 Made = TypeVar("Made")
 
 
@@ -78,6 +83,30 @@ def first_members(code: Codebase, routine: Routine) -> Mapping[str, tuple[int, i
         return found
 
     return _once(code, ("first members", id(routine)), find)
+
+
+def shared_in(code: Codebase, path: str) -> Set[str]:
+    """The words behind ``global`` and ``nonlocal``."""
+
+    def find() -> frozenset[str]:
+        return frozenset(word for rest in _SHARED.findall(alone(code, path)) for word in _WORD.findall(rest))
+
+    return _once(code, ("shared in", path), find)
+
+
+def word_count(code: Codebase, path: str) -> Counter[str]:
+    """How often each word stands in the file, remarks and texts left out."""
+    return _once(code, ("word count", path), lambda: Counter(_WORD.findall(_NO_CODE.sub("", code.text(path)))))
+
+
+def own_names(code: Codebase, routine: Routine) -> Set[str]:
+    """The classes and functions of the file of *routine*."""
+
+    def find() -> frozenset[str]:
+        program = routine.source.program
+        return frozenset((*(class_.name for class_ in program.classes), *(one.name for one in program.functions)))
+
+    return _once(code, ("own names", routine.path), find)
 
 
 def _once(code: Codebase, key: tuple[object, ...], make: Callable[[], Made]) -> Made:
