@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from bisect import bisect_left
 from collections import Counter
 from collections.abc import Callable, Mapping, Set
 from typing import TypeVar
@@ -28,6 +29,9 @@ _MEMBER = regex(r"\b\w+\.(?=(\w+))")
 _NO_CODE = regex(r"#[^\n]*|\"[^\"\n]*\"|'[^'\n]*'")
 _SHARED = regex(r"(?m)^[ \t]*(?:global|nonlocal)\s([^\n]*)")
 _WORD = regex(r"\w+")
+#: A member before an assignment, or before a comma in a row of them.
+_MAY_BE_SET = regex(r"(\w*)\]?\)?\.(\w+)(?=\s*(=(?!=)|,))")
+_SIGN = regex(r"=(?!=)|\n")
 Made = TypeVar("Made")
 
 
@@ -94,9 +98,32 @@ def shared_in(code: Codebase, path: str) -> Set[str]:
     return _once(code, ("shared in", path), find)
 
 
+def receivers_of(code: Codebase, path: str) -> Mapping[str, list[str]]:
+    """By member the words before its point, where it is set: ``a`` and ``b`` for ``c`` in ``a.c, b.c = 1, 2``."""
+
+    def find() -> dict[str, list[str]]:
+        text = _NO_CODE.sub("", code.text(path))
+        signs = [(sign.start(), sign[0]) for sign in _SIGN.finditer(text)]
+        places = [place for place, _ in signs]
+        found: dict[str, list[str]] = {}
+        for member in _MAY_BE_SET.finditer(text):
+            at = bisect_left(places, member.start(3))
+            if member[3] == "=" or (at < len(signs) and signs[at][1] == "="):
+                found.setdefault(member[2], []).append(member[1])
+        return found
+
+    return _once(code, ("receivers of", path), find)
+
+
 def word_count(code: Codebase, path: str) -> Counter[str]:
     """How often each word stands in the file, remarks and texts left out."""
     return _once(code, ("word count", path), lambda: Counter(_WORD.findall(_NO_CODE.sub("", code.text(path)))))
+
+
+def functions_of(code: Codebase, path: str) -> Set[str]:
+    """The functions and methods of the file, by their whole names."""
+    functions = code.by_path[path].program.functions
+    return _once(code, ("functions of", path), lambda: frozenset(function.name for function in functions))
 
 
 def own_names(code: Codebase, routine: Routine) -> Set[str]:

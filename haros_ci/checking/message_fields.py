@@ -12,7 +12,7 @@ from collections.abc import Iterator, Sequence
 
 from haros_ci import syntax
 from haros_ci.checking.code_text import alone
-from haros_ci.checking.file_words import own_names, shared_in, word_count
+from haros_ci.checking.file_words import functions_of, own_names, receivers_of, shared_in, word_count
 from haros_ci.checking.interface_users import defined_in
 from haros_ci.checking.project import Project
 from haros_ci.code.body import nodes
@@ -28,8 +28,6 @@ from haros_ci.regex import regex
 from haros_ci.syntax import Block, Expression
 
 _INTERFACE = regex(r"\.(?:msg|srv|action)(?:\.|\Z)")
-#: Comments, and texts in one line.
-_NO_CODE = regex(r"#[^\n]*|\"[^\"\n]*\"|'[^'\n]*'")
 #: Code that asks which ROS it runs in is for both.
 _EITHER = regex(r"ros_version|ros_distro", re.I)
 #: Functions by which code finds out what an object has, or gives it more.
@@ -195,15 +193,10 @@ def _attributes(code: Codebase, routine: Routine, structs: Structs) -> dict[str,
 
 def _is_shared(code: Codebase, path: str, name: str) -> bool:
     """Whether other code than the class's may set the attribute, or it is a method or property."""
-    text = code.text(path)
     last = name.rpartition(".")[2]
-    receivers = re.findall(rf"(\w*)\]?\)?\.{re.escape(last)}\s*(?:=(?!=)|,[^\n]*=(?!=))", _NO_CODE.sub("", text))
-    functions = code.by_path[path].program.functions
-    return (
-        any(receiver != "self" for receiver in receivers)
-        or "setattr(" in text
-        or any(f.name == name for f in functions)
-    )
+    receivers = receivers_of(code, path).get(last, ())
+    is_function = name in functions_of(code, path)
+    return is_function or any(receiver != "self" for receiver in receivers) or "setattr(" in code.text(path)
 
 
 def _made(code: Codebase, structs: Structs, values: Sequence[tuple[Routine, Expression | None]]) -> Struct | None:
