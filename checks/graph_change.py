@@ -19,6 +19,8 @@ _RVIZ = regex(r"^\s*(?:Topic|Value|Image Topic|Marker Topic): [\"']?(/[\w/]+)[\"
 #: The largest configuration of rviz that is looked into, in characters.
 MAX_RVIZ = 500_000
 SHOWN = 10
+#: Ends that have a type which others have to have, too.
+_TYPED = frozenset(("publishers", "subscribers", "servers", "clients", "action_servers", "action_clients"))
 #: What is renamed, and not taken away, is meant to be there: whoever has the old name is an error.
 RENAMED = "renamed"
 
@@ -33,6 +35,62 @@ def check(project: Project) -> Iterator[Finding]:
             yield from _remaps(old, new, causes)
     yield from _values(project, causes)
     yield from _displays(project)
+    yield from _types(project)
+    yield from _names(project)
+
+
+def _names(project: Project) -> Iterator[Finding]:
+    """Ends of nodes whose names were known, and are not since the change."""
+    reported: set[Location] = set()
+    for old, new in both(project):
+        before = {node.name: node for node in old.nodes}
+        for node in new.nodes:
+            was = before.get(node.name)
+            if was is None:
+                continue
+            for kind in sorted(_TYPED):
+                vague = [end for end in node.of(kind) if "?" in end.name and end.in_source]
+                known = {end.name for end in node.of(kind)}
+                lost = sorted({end.name for end in was.of(kind) if "?" not in end.name and end.in_source} - known)
+                if not lost or len(vague) <= sum("?" in end.name for end in was.of(kind)):
+                    continue
+                end = max(vague, key=lambda one: one.location.sort_key)
+                if end.location not in reported:
+                    reported.add(end.location)
+                    why = next((unknown.reason for unknown in end.raw.unknowns if unknown.field == "name"), "")
+                    yield Finding(
+                        at=end.location,
+                        message=(
+                            f"the name of a {end.word} in {node} is not known any more{f' ({why})' if why else ''}, before the change it had "
+                            f"{lost[0]}: no check compares it with those of others; look at it, or write the name where it is used"
+                        ),
+                        about=(lost[0], kind, node.name),
+                        level=Level.NOTE,
+                    )
+
+
+def _types(project: Project) -> Iterator[Finding]:
+    """Ends whose type was known, and is not since the change: no check compares it any more."""
+    reported: set[Location] = set()
+    for old, new in both(project):
+        before = {(end.node.name, end.kind, end.name): end.type for end in old.ends if end.type is not None}
+        known = {(end.node.name, end.kind, end.name) for end in new.ends if end.type is not None}
+        for end in new.ends:
+            place = (end.node.name, end.kind, end.name)
+            if place in known or place not in before or "?" in end.name or end.implicit or not end.in_source:
+                continue
+            if end.kind in _TYPED and end.location not in reported:
+                reported.add(end.location)
+                why = next((unknown.reason for unknown in end.raw.unknowns if unknown.field == "type"), "")
+                yield Finding(
+                    at=end.location,
+                    message=(
+                        f"the type of the {end.word} of {end.name} in {end.node} is not known any more{f' ({why})' if why else ''}, it was {before[place]}: "
+                        "no check compares it with those of others; look at it, or name the type where it is used"
+                    ),
+                    about=(end.name, end.kind, end.node.name),
+                    level=Level.NOTE,
+                )
 
 
 def _ends(project: Project) -> Iterator[Finding]:

@@ -7,7 +7,7 @@ import re
 from collections.abc import Iterator
 
 from haros_ci.api import Check, Finding, Level, Location, System, regex
-from haros_ci.api.launch import FileUse, yaml_fault
+from haros_ci.api.launch import FileUse, ParameterFileUse, yaml_fault
 from haros_ci.api.packages import conflicts
 
 _SECTION = "ros__parameters"
@@ -19,6 +19,30 @@ _KEY = regex(r"^([ \t]*)[\"']?([^\s#\"':][^\n\"':]*)[\"']?[ \t]*:", re.M)
 def check(system: System) -> Iterator[Finding]:
     if system.workspace is None:
         return
+    reported: set[str] = set()
+    for finding in _malformed(system):
+        reported.add(finding.at.path)
+        yield finding
+    for use in system.facts(ParameterFileUse):
+        refused = use.refused
+        if refused is None or refused.path in reported:
+            continue
+        reported.add(refused.path)
+        yield Finding(
+            at=Location(refused.path, refused.line),
+            message=f"{refused.problem}, which rcl refuses: the node that is given {refused.path} does not start; {refused.advice}",
+            about=(refused.path, refused.problem),
+            flow=(
+                (use.location, "the file is given to a node"),
+                (Location(refused.path, refused.line), refused.problem),
+            ),
+            presence=use.presence,
+        )
+
+
+def _malformed(system: System) -> Iterator[Finding]:
+    """Files that are no YAML, and a key in another form."""
+    assert system.workspace is not None, system
     seen: set[str] = set()
     for use in system.facts(FileUse):
         path = use.path
@@ -64,7 +88,7 @@ def _misspelt(text: str, path: str, use: FileUse) -> Iterator[Finding]:
 
 CHECK = Check(
     id="malformed-parameter-file",
-    summary="Parameter file that is not valid YAML, or has ros__parameters in another form.",
+    summary="Parameter file that is not valid YAML, or that rcl refuses.",
     level=Level.ERROR,
     tags=("parameters", "launch"),
     run=check,

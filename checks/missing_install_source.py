@@ -21,6 +21,12 @@ _ENDS = regex(
 _MAKERS = regex(
     r"externalproject_|fetchcontent_|catkin_download|ament_vendor|execute_process|exec_program|git_submodule|vcs|cpm|.*download"
 )
+#: What a setup.py has that does more than to call setup(), or does it under conditions: it may make the files that it installs.
+_DOES_MORE = regex(
+    r"(?m)^[ \t]*(?:(?:el)?if(?![ \t(]+__name__)|else|try|while|with)\b|\bif\b[^\n]*\belse\b|\bcmdclass\b|\b(?:exists|isfile|isdir|is_file)\("
+    r"|\b(?:open|system|popen|Popen|check_\w+|run|make\w*|mkdir|copy\w*|move|rename|symlink|write\w*|dump|touch|exec|eval|generate\w*|url\w*)\("
+)
+_REMARKS = regex(r"(?m)#[^\n]*$")
 #: Directories that are called in several ways.
 _SAME = tuple(
     frozenset(words.split())
@@ -61,6 +67,55 @@ def check(project: Project) -> Iterator[Finding]:
                 if is_told_of(package, path):
                     continue
                 yield _finding(package, command, word, path, exported, named)
+    for package in project.packages:
+        if package.raw.build_type == "ament_python":
+            yield from _of_setup(package)
+
+
+def _of_setup(package: ProjectPackage) -> Iterator[Finding]:
+    """Names in ``data_files`` and ``scripts`` of a setup.py that does nothing but call setup(): distutils takes regular files alone."""
+    project, setup = package.project, package.inside("setup.py")
+    if _DOES_MORE.search(_REMARKS.sub("", project.text(setup))):
+        return
+    reported: set[str] = set()
+    for item in package.build.installed:
+        path = item.path
+        if item.location.path != setup or path in reported or path in project.workspace.names:
+            continue
+        reported.add(path)
+        if may_appear(package, path, _QUIET) or is_told_of(package, path):
+            continue
+        shown = path.removeprefix(f"{package.path}/")
+        is_directory = project.exists(path)
+        why = "a directory, of which setup.py installs files alone" if is_directory else "which is not there"
+        yield Finding(
+            at=item.location,
+            message=f"{package.name} installs {shown}, {why}: colcon build stops with an error; {_instead(package, path, is_directory)}",
+            about=(package.name, shown),
+            apart=(shown,),
+        )
+
+
+def _instead(package: ProjectPackage, path: str, is_directory: bool) -> str:
+    """What to write in setup.py for *path*."""
+    shown = path.removeprefix(f"{package.path}/")
+    if is_directory:
+        return f"write glob('{shown}/*')"
+    if "*" in path or "?" in path:
+        return f"write glob('{shown}')"
+    folder, _, base = path.rpartition("/")
+    prefix = f"{folder}/" if folder else ""
+    beside = sorted(
+        f"{prefix}{name}" for name in entries_of(package.project.workspace.names).get(folder, NO_ENTRIES).names
+    )
+    near = similar_files(path, beside, package.name)
+    if near:
+        return f"did you mean {near[0].removeprefix(prefix)}?"
+    return (
+        f"add an empty file {shown}"
+        if folder.endswith("resource") and base == package.name
+        else "remove the name, or add the file"
+    )
 
 
 def _things(command: CMakeCommand) -> tuple[str, ...]:
@@ -147,7 +202,7 @@ def _exported(package: ProjectPackage, installed: frozenset[str]) -> Mapping[str
 
 CHECK = Check(
     id="missing-install-source",
-    summary="install() of a file or directory that does not exist.",
+    summary="Installation of a file or directory that does not exist.",
     level=Level.ERROR,
     catalogue="B07",
     tags=("build",),

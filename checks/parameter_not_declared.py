@@ -4,12 +4,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from typing import NamedTuple
 
 from haros_ci.api import (
     Check,
     Finding,
     Given,
     Level,
+    Location,
     System,
     SystemNode,
     is_mentioned,
@@ -21,29 +23,33 @@ from haros_ci.api import (
 
 #: So many parameters that several nodes of a launch file are given alike are one set for all of them.
 _SET = 3
+#: So many parameters of a node are compared with those that it declares.
+_COMPARED = 300
 
 
 def check(system: System) -> Iterator[Finding]:
     groups: dict[tuple[str, str, str, str], list[Given]] = {}
+    meant = _Meant({}, {})
     found = list(_undeclared(system))
     in_sets = _in_sets(system, [parameter for parameter, _ in found])
     for parameter, section in found:
         if id(parameter) in in_sets:
             continue
-        name = "" if section else _meant(parameter) or (parameter.key if "." not in parameter.key else "")
+        name = "" if section else meant.by(parameter) or (parameter.key if "." not in parameter.key else "")
         groups.setdefault(
             (parameter.node.name, parameter.at.path, section or parameter.key.rpartition(".")[0], name), []
         ).append(parameter)
     for (_, _, section, _), group in groups.items():
         lines = {parameter.place: parameter for parameter in group}
         keys = sorted({key for _, key in lines})
-        yield _finding(
-            min(group, key=lambda parameter: parameter.at.sort_key), section, keys, _declaring(system, group[0], keys)
-        )
+        first = min(group, key=lambda parameter: parameter.at.sort_key)
+        hint = meant.by(first) if len(keys) == 1 else ""
+        yield _finding(first, section, keys, hint, _declaring(system, group[0], keys))
 
 
 def _undeclared(system: System) -> Iterator[tuple[Given, str]]:
     """What nodes are given and do not declare, with the section of which nothing is declared."""
+    shared = _Shared(system)
     for parameter in system.given:
         if (
             parameter.place not in system.taken
@@ -56,7 +62,7 @@ def _undeclared(system: System) -> Iterator[tuple[Given, str]]:
                 is_spare
                 or is_mentioned(system, parameter.node, section or parameter.key)
                 or is_read_besides(system, parameter)
-                or _is_shared(system, parameter)
+                or shared.has(parameter)
             ):
                 yield parameter, section
 
@@ -98,29 +104,62 @@ def _is_spare(node: SystemNode, section: str) -> bool:
     return bool(found) and not any(is_slip(last, text) for text in found)
 
 
-def _is_shared(system: System, parameter: Given) -> bool:
-    """Whether one file is given to several nodes as a whole, and another one declares the key, which it is given a second time elsewhere.
+class _Shared:
+    """Files that are given to several nodes of *system* as a whole; what each node is given by each file is gathered once."""
 
-    All that this node is given by the file the other one is given by it, too, but for what the tag of that one sets itself.
-    """
-    path, node = parameter.at.path, parameter.node
-    if parameter.raw.origin is None:
-        return False
-    places = {given.place for given in node.given if given.at.path == path}
-    for other in system.nodes:
-        if other is node or parameter.key not in other.names.declared:
-            continue
-        theirs = {given.place for given in other.given if given.at.path == path}
-        elsewhere = {given.key for given in other.given if given.at.path != path}
-        if theirs and all(place in theirs or place[1] in elsewhere for place in places):
-            return True
-    return False
+    def __init__(self, system: System) -> None:
+        self.system = system
+        self.given: dict[int, dict[str, set[tuple[Location, str]]]] = {}
+        self.known: dict[tuple[int, int, str], bool] = {}
+
+    def has(self, parameter: Given) -> bool:
+        """Whether one file is given to several nodes as a whole, and another one declares the key, which it is given a second time elsewhere.
+
+        All that this node is given by the file the other one is given by it, too, but for what the tag of that one sets itself.
+        """
+        if parameter.raw.origin is None:
+            return False
+        others = (other for other in self.system.nodes if other is not parameter.node)
+        return any(
+            parameter.key in other.names.declared and self._covers(other, parameter.node, parameter.at.path)
+            for other in others
+        )
+
+    def _covers(self, other: SystemNode, node: SystemNode, path: str) -> bool:
+        key = (id(other), id(node), path)
+        if key not in self.known:
+            theirs = self._by_path(other)
+            here = theirs.get(path, set())
+            elsewhere = {name for place, every in theirs.items() if place != path for _, name in every}
+            ours = self._by_path(node).get(path, set())
+            self.known[key] = bool(here) and all(place in here or place[1] in elsewhere for place in ours)
+        return self.known[key]
+
+    def _by_path(self, node: SystemNode) -> dict[str, set[tuple[Location, str]]]:
+        if id(node) not in self.given:
+            found: dict[str, set[tuple[Location, str]]] = {}
+            for given in node.given:
+                found.setdefault(given.at.path, set()).add(given.place)
+            self.given[id(node)] = found
+        return self.given[id(node)]
 
 
-def _meant(parameter_given: Given) -> str:
-    """A parameter of the node that nothing else gives, and that is called nearly the same."""
-    own = {parameter.key for parameter in parameter_given.node.given}
-    return near(parameter_given.key, [name for name in parameter_given.node.names.declared if name not in own]) or ""
+class _Meant(NamedTuple):
+    """The parameters of nodes that nothing gives, by node, and which of them was found to be meant by what is given, by node and key."""
+
+    free: dict[int, list[str]]
+    found: dict[int, dict[str, str]]
+
+    def by(self, parameter: Given) -> str:
+        """A parameter of the node that nothing else gives, and that is called nearly the same; "" if there is none, or too many were looked for."""
+        node = parameter.node
+        if id(node) not in self.free:
+            own = {other.key for other in node.given}
+            self.free[id(node)] = [name for name in node.names.declared if name not in own]
+        known = self.found.setdefault(id(node), {})
+        if parameter.key not in known and len(known) < _COMPARED:
+            known[parameter.key] = near(parameter.key, self.free[id(node)]) or ""
+        return known.get(parameter.key, "")
 
 
 def _declaring(system: System, parameter: Given, keys: Sequence[str]) -> str:
@@ -135,9 +174,8 @@ def _declaring(system: System, parameter: Given, keys: Sequence[str]) -> str:
     return str(found[0]) if len(found) == 1 else ""
 
 
-def _finding(parameter: Given, section: str, keys: Sequence[str], declaring: str) -> Finding:
+def _finding(parameter: Given, section: str, keys: Sequence[str], meant: str, declaring: str) -> Finding:
     node = parameter.node
-    meant = _meant(parameter) if len(keys) == 1 else ""
     if len(keys) == 1:
         what = f"is given the parameter {keys[0]}, but {node.type} does not declare it"
     else:

@@ -17,6 +17,9 @@ OF_NODES = frozenset(
     """.split()
 )
 
+#: Attributes of a class for which a name that is meant is looked for, and names that it may be: each is compared with each.
+MOST_COMPARED, MOST_NAMES = 100, 1_000
+
 
 def check(project: Project) -> Iterator[Finding]:
     yield from weighed(project, _found(project))
@@ -30,15 +33,16 @@ def _found(project: Project) -> Iterator[Finding]:
         nodes = [unset for unset in found if unset.name in OF_NODES and not OF_NODES & unset.known]
         if len(nodes) > 1:
             yield _no_node(nodes)
-        yield from map(_finding, (unset for unset in found if len(nodes) < 2 or unset not in nodes))
+        rest = [unset for unset in found if len(nodes) < 2 or unset.name not in OF_NODES]
+        yield from (_finding(unset, number < MOST_COMPARED) for number, unset in enumerate(rest))
 
 
-def _finding(unset: Unset) -> Finding:
+def _finding(unset: Unset, is_compared: bool) -> Finding:
     method = unset.routine.function.name.rpartition(".")[2]
     return Finding(
         at=unset.location,
         message=f"{unset.owner} reads self.{unset.name}, but nothing sets or defines it: the line raises "
-        f"AttributeError{_like(unset)}{'' if unset.is_reached else f' (no Python file here calls {method}())'}",
+        f"AttributeError{_like(unset, is_compared)}{'' if unset.is_reached else f' (no Python file here calls {method}())'}",
         level=None if unset.is_reached else Level.NOTE,
         about=(unset.owner, unset.name),
         apart=(unset.owner, unset.name),
@@ -58,11 +62,13 @@ def _no_node(found: list[Unset]) -> Finding:
     )
 
 
-def _like(unset: Unset) -> str:
+def _like(unset: Unset, is_compared: bool) -> str:
+    """What to do; names are compared where *is_compared*."""
     if any(unset.name == parameter.name for parameter in unset.routine.function.parameters):
         return f"; write {unset.name}, the parameter of {unset.routine.function.name.rpartition('.')[2]}()"
     own = unset.routine.function.name.rpartition(".")[2]  # nobody means the method that the line is in
-    found = get_close_matches(unset.name, sorted({*unset.known} - {own}), 1, 0.75)
+    known = sorted(unset.known - {own})[:MOST_NAMES] if is_compared else []
+    found = get_close_matches(unset.name, known, 1, 0.75)
     return f"; did you mean self.{found[0]}?" if found else "; set it in __init__()"
 
 

@@ -563,3 +563,33 @@ def test_what_cpp_mentions_runs_no_python_and_what_python_mentions_no_cpp(
         "the function is never called",
     )
     assert found["plugin.cpp", 'n.declare_parameter("spare", 1)'][0] == "unreached"
+
+
+@pytest.mark.parametrize(
+    ("decorator", "state"),
+    [
+        ("@now\n", "open"),
+        ("@now()\n", "open"),
+        ("@other.now\n", "open"),
+        ("@cached\n", "unreached"),
+        ("@functools.lru_cache(None)\n", "unreached"),
+        ("", "unreached"),
+    ],
+)
+def test_a_decorator_of_the_workspace_may_call_what_it_is_given(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], decorator: str, state: str
+) -> None:
+    script = (
+        "#!/usr/bin/env python3\nimport functools\nimport rclpy\nfrom helpers import cached, other\n\n\ndef now(f):\n    f(NODE)\n    return f\n\n\n"
+        f"{decorator}def spare(node):\n    node.create_publisher(1, 'a', 1)\n\n\nrclpy.init()\nNODE = rclpy.create_node('n')\n"
+    )
+    write(
+        tmp_path,
+        {
+            "package.xml": MANIFEST.format(name="lamp").replace("rclcpp", "rclpy"),
+            "CMakeLists.txt": "project(lamp)\ninstall(PROGRAMS a.py DESTINATION lib/lamp)\n",
+            "a.py": script,
+        },
+    )
+    monkeypatch.chdir(tmp_path)
+    assert [each.state for each in sites(capsys) if each.call.startswith("node.")] == [state]

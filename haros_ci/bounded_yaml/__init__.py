@@ -14,15 +14,18 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
-from functools import lru_cache, partial
 from types import ModuleType
 from typing import TYPE_CHECKING, Any, ClassVar, Generic, Protocol, TypeVar
 
+from haros_ci.bounded_yaml.scalars import MAX_NUMBER, TAG, Scalar, scalar_value
 from haros_ci.bounded_yaml.words import explained
 from haros_ci.records import dataclass
 
 if TYPE_CHECKING:
     import yaml
+
+__all__ = ["MAX_NUMBER", "MERGE", "TAG", "Composed", "Composer", "Scalar", "YamlFault", "YamlLimits", "YamlTooLarge"]
+__all__ += ["check", "data", "events", "nodes", "scalar_value"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,12 +38,7 @@ class YamlLimits:
     aliases: int = 1_000_000
 
 
-#: Characters of a number: those of YAML 1.1 in base 60 take quadratic time.
-MAX_NUMBER = 100
-TAG = "tag:yaml.org,2002:"
 MERGE = TAG + "merge"
-
-Scalar = str | int | float | bool | None
 
 
 class YamlFault(Exception):
@@ -65,6 +63,12 @@ class YamlTooLarge(YamlFault):
 
 def check(text: str, limits: YamlLimits) -> None:
     """YamlFault if *text* is no YAML, or over a limit."""
+    for _ in events(text, limits):
+        pass
+
+
+def events(text: str, limits: YamlLimits) -> Iterator[yaml.Event]:
+    """What PyYAML's parser says of *text*; YamlFault as ``check``, where it is reached."""
     if len(text) > limits.characters:
         raise YamlTooLarge(f"more than {limits.characters} characters; split it")
     import yaml
@@ -85,6 +89,7 @@ def check(text: str, limits: YamlLimits) -> None:
                     raise YamlTooLarge(f"more than {limits.values} values; split it", line)
                 if aliases > limits.aliases:
                     raise YamlTooLarge(f"more than {limits.aliases} aliases; write them out", line)
+            yield event
 
 
 def nodes(text: str, limits: YamlLimits) -> Iterator[yaml.Node]:
@@ -109,28 +114,6 @@ def data(text: str, limits: YamlLimits) -> object:
             raise YamlFault(problem, message=f"{problem}; write the value without the tag") from err
         except (ValueError, OverflowError, RecursionError) as err:
             raise YamlFault((str(err).splitlines() or ["not YAML"])[0]) from err
-
-
-def scalar_value(kind: str, text: str) -> Scalar:
-    """What ``yaml.safe_load`` makes of *text* as an int, float, bool or null (*kind*); ValueError otherwise, or too long."""
-    if len(text) > MAX_NUMBER:
-        raise ValueError(f"longer than {MAX_NUMBER} characters")
-    import yaml
-
-    make, node = _constructors()[TAG + kind], yaml.ScalarNode(TAG + kind, text)
-    try:
-        return make(node)
-    except (LookupError, ArithmeticError, yaml.YAMLError) as err:
-        raise ValueError(f"no {kind}") from err
-
-
-@lru_cache(maxsize=1)
-def _constructors() -> Mapping[str, Callable[[yaml.ScalarNode], Scalar]]:
-    """What PyYAML makes of a scalar, by its tag; it keeps none of the nodes."""
-    import yaml
-
-    constructor = yaml.constructor.SafeConstructor()
-    return {tag: partial(make, constructor) for tag, make in constructor.yaml_constructors.items() if tag}
 
 
 class Composed(Protocol):

@@ -9,10 +9,19 @@ that they have in any distribution. One that makes attributes by name (``setattr
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Iterator, Set
 
 from haros_ci import syntax
-from haros_ci.checking.code_text import alone
+from haros_ci.checking.file_words import (
+    asked_for,
+    called_in,
+    defined_in,
+    first_members,
+    lines_of,
+    makes_by_name,
+    named_in,
+)
 from haros_ci.checking.project import Project
 from haros_ci.code.classes import Owner, bases
 from haros_ci.code.codebase import Codebase, Routine
@@ -22,11 +31,6 @@ from haros_ci.regex import regex
 from haros_ci.syntax import Block, Expression
 from haros_ci.syntax.walk import below, everything
 
-#: Code that gives objects attributes by name, or asks for them so.
-_BY_NAME = regex(
-    r"\b(?:setattr|vars|exec|eval|locals)\s*\(|__(?:getattr|getattribute|setattr|dict|new|init_subclass|setstate)__"
-    r"|\bMethodType\b|\bmetaclass\s*=|\bmock\b"
-)
 #: A call of something by a name of its own, whose first argument is not ``self``.
 _CALL = regex(r"(?<!\w)(\w+)\.(\w+)[ \t]*\((?!\s*self\b)")
 #: Classes that are made for others to complete them.
@@ -111,27 +115,28 @@ def unset_attributes(project: Project) -> Iterator[Unset]:
         if not class_.read or source.package is None or not _is_plain(code, class_.owner):
             continue
         family = [classes[name] for name in sorted(related[key]) if name in classes]
+        files = {one.owner[0].path for one in family}
         if any(_is(above, name) for name in related[key] for above, _ in parents.get(name, ())):
             continue  # a class that is called like the one that it inherits, which comes from elsewhere
         libraries = {name for member in related[key] for above, name in parents.get(member, ()) if above is None}
         if len(family) < len(related[key]) or not libraries <= {*_PLAIN, *_KNOWN}:
             continue
-        if any(_BY_NAME.search(alone(code, path)) for path in {one.owner[0].path for one in family}):
+        if any(makes_by_name(code, path) for path in files):
             continue
         if not _is_made(code, definition.name, is_alone=len(family) == 1):
             continue
         has = set().union(*(one.has for one in family), *(_KNOWN.get(name, frozenset()) for name in libraries))
         if "__init__" not in has:
             continue
-        known = set(class_.has).union(*(_known(above, name, classes) for above, name in parents[key]))
+        known = frozenset(class_.has).union(*(_known(above, name, classes) for above, name in parents[key]))
         if not libraries <= _PLAIN | {"threading.Thread"}:
             has |= _LIFECYCLE  # rclpy may get these names for its plain nodes
         for name, routine in sorted(class_.read.items()):
             is_hidden = name.startswith("__") or (name.startswith("_") and bool(libraries - _PLAIN))
-            if name in has or name in elsewhere or is_hidden or _is_asked(alone(code, source.path), name):
+            if name in has or name in elsewhere or is_hidden or name in asked_for(code, source.path):
                 continue
-            is_reached = _is_reached(code, routine, {one.owner[0].path for one in family})
-            yield Unset(definition.name, name, routine, _place(code, routine, name), frozenset(known), is_reached)
+            is_reached = _is_reached(code, routine, files)
+            yield Unset(definition.name, name, routine, _place(code, routine, name), known, is_reached)
 
 
 def _known(above: Owner | None, name: str, classes: dict[tuple[str, str], _Attributes]) -> Set[str]:
@@ -150,11 +155,13 @@ def _classes(code: Codebase) -> dict[tuple[str, str], _Attributes]:
         program = source.program
         if program.language != "python" or program.problems or source.path.endswith(".pyi"):
             continue
-        names = [class_.name for class_ in program.classes]
+        names = Counter(class_.name for class_ in program.classes)
+        inside: dict[str, set[str]] = {}
+        for inner in names:
+            inside.setdefault(inner.rpartition(".")[0], set()).add(inner.rpartition(".")[2])
         for class_ in program.classes:
-            if names.count(class_.name) == 1:
-                has = {member.name for member in class_.fields}
-                has |= {inner.rpartition(".")[2] for inner in names if inner.rpartition(".")[0] == class_.name}
+            if names[class_.name] == 1:
+                has = {member.name for member in class_.fields} | inside.get(class_.name, set())
                 found[source.path, class_.name] = _Attributes((source, class_), [], {}, has)
         for function in program.functions:
             one = found.get((source.path, function.owner))
@@ -194,12 +201,9 @@ def _is_reached(code: Codebase, routine: Routine, family: Set[str]) -> bool:
     name = _short(routine.function.name)
     if name.startswith("__") or name in _NODE | _LIFECYCLE | _THREAD:
         return True
-    use = rf"^(?:[^#\n]*[^#\w\n])?(?<!def ){re.escape(name)}(?!\w)"
-    here, elsewhere = re.compile(use, re.M), re.compile(use.replace("(?<!def )", r"(?<!def )(?<!\bself\.)"), re.M)
     for path in code.mentioning(name):
-        text = code.text(path)
-        is_own = path not in family and re.search(rf"\bdef[ \t]+{re.escape(name)}\b", text) is not None
-        if (elsewhere if is_own else here).search(text):
+        is_own = path not in family and name in defined_in(code, path)
+        if name in named_in(code, path, is_own):
             return True
     return False
 
@@ -290,8 +294,9 @@ def _set_elsewhere(code: Codebase) -> frozenset[str]:
 def _is_plain(code: Codebase, owner: Owner) -> bool:
     """Whether nothing but its statements makes the class: no decorator that may add to it."""
     source, definition = owner
-    lines = code.text(source.path).split("\n")[: max(definition.line - 1, 0)]
-    before = next((line.strip() for line in reversed(lines) if line.strip()), "")
+    lines = lines_of(code, source.path)
+    above = (lines[number].strip() for number in range(min(definition.line - 1, len(lines)) - 1, -1, -1))
+    before = next((line for line in above if line), "")
     return not (before.startswith("@") or before == ")") or before.startswith(_DECORATORS)
 
 
@@ -300,21 +305,14 @@ def _is_made(code: Codebase, name: str, *, is_alone: bool) -> bool:
     if not is_alone:
         return True
     short = name.rpartition(".")[2]
-    call = re.compile(rf"(?<!class )(?<!\w){re.escape(short)}\s*\(")
-    return _PARTIAL.search(short) is None and any(call.search(code.text(path)) for path in code.mentioning(short))
-
-
-def _is_asked(text: str, name: str) -> bool:
-    """Whether the file asks whether an object has the attribute."""
-    return re.search(rf"attr\s*\([^()\n]*[\"']{re.escape(name)}[\"']", text) is not None
+    return _PARTIAL.search(short) is None and any(short in called_in(code, path) for path in code.mentioning(short))
 
 
 def _place(code: Codebase, routine: Routine, name: str) -> Location:
     """Where the attribute is first read in the routine; the routine's head if that is not found."""
     line = routine.function.line
-    pattern = re.compile(rf"\b\w+\.{re.escape(name)}\b")
-    for number, part in enumerate(code.lines(routine, line).split("\n"), line):
-        found = pattern.search(part.partition("#")[0])
-        if found is not None:
-            return Location(routine.path, number, found.start() + 1, number, found.end() + 1)
-    return Location(routine.path, line or 1)
+    found = first_members(code, routine).get(name)
+    if found is None:
+        return Location(routine.path, line or 1)
+    number, begin, end = found
+    return Location(routine.path, number, begin + 1, number, end + 1)

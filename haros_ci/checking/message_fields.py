@@ -12,6 +12,7 @@ from collections.abc import Iterator, Sequence
 
 from haros_ci import syntax
 from haros_ci.checking.code_text import alone
+from haros_ci.checking.file_words import functions_of, own_names, receivers_of, shared_in, word_count
 from haros_ci.checking.interface_users import defined_in
 from haros_ci.checking.project import Project
 from haros_ci.code.body import nodes
@@ -29,8 +30,6 @@ from haros_ci.syntax import Block, Expression
 _INTERFACE = regex(r"\.(?:msg|srv|action)(?:\.|\Z)")
 #: Code that asks which ROS it runs in is for both.
 _EITHER = regex(r"ros_version|ros_distro", re.I)
-#: Comments, and texts in one line.
-_NO_CODE = regex(r"#[^\n]*|\"[^\"\n]*\"|'[^'\n]*'")
 #: Functions by which code finds out what an object has, or gives it more.
 ASKING = frozenset(("hasattr", "getattr", "setattr", "isinstance", "type", "vars", "dir", "cast", "delattr"))
 #: Where the type and the callback are among the arguments of a registration, and which parts its parameters get.
@@ -194,15 +193,10 @@ def _attributes(code: Codebase, routine: Routine, structs: Structs) -> dict[str,
 
 def _is_shared(code: Codebase, path: str, name: str) -> bool:
     """Whether other code than the class's may set the attribute, or it is a method or property."""
-    text = code.text(path)
     last = name.rpartition(".")[2]
-    receivers = re.findall(rf"(\w*)\]?\)?\.{re.escape(last)}\s*(?:=(?!=)|,[^\n]*=(?!=))", _NO_CODE.sub("", text))
-    functions = code.by_path[path].program.functions
-    return (
-        any(receiver != "self" for receiver in receivers)
-        or "setattr(" in text
-        or any(f.name == name for f in functions)
-    )
+    receivers = receivers_of(code, path).get(last, ())
+    is_function = name in functions_of(code, path)
+    return is_function or any(receiver != "self" for receiver in receivers) or "setattr(" in code.text(path)
 
 
 def _made(code: Codebase, structs: Structs, values: Sequence[tuple[Routine, Expression | None]]) -> Struct | None:
@@ -218,9 +212,7 @@ def _imported(code: Codebase, routine: Routine, expression: Expression) -> str:
     head = expression
     while isinstance(head, syntax.Member):
         head = head.object
-    program = routine.source.program
-    names = {*(class_.name for class_ in program.classes), *(function.name for function in program.functions)}
-    own = isinstance(head, syntax.Name) and head.name in names
+    own = isinstance(head, syntax.Name) and head.name in own_names(code, routine)
     return "" if own else dotted(code, routine, expression)
 
 
@@ -231,8 +223,7 @@ def _is_asked(code: Codebase, routine: Routine, name: str) -> bool:
             isinstance(argument, syntax.Name) and argument.name == name for argument in call.args
         ):
             return True
-    shared = re.compile(rf"^[ \t]*(?:global|nonlocal)\s[^\n]*\b{re.escape(name)}\b", re.M)
-    return shared.search(alone(code, routine.path)) is not None
+    return name in shared_in(code, routine.path)
 
 
 def _parameters(code: Codebase, structs: dict[int, Structs]) -> dict[int, dict[str, Struct]]:
@@ -283,8 +274,7 @@ def _is_used_besides(code: Codebase, routine: Routine, times: int) -> bool:
     """Whether the function's name stands elsewhere than in its definition and its registrations: it may be called with anything."""
     if routine.function.kind == "lambda":
         return False
-    name = re.escape(routine.function.name.rpartition(".")[2])
-    return len(re.findall(rf"\b{name}\b", _NO_CODE.sub("", code.text(routine.path)))) > times + 1
+    return word_count(code, routine.path)[routine.function.name.rpartition(".")[2]] > times + 1
 
 
 def _is_set(code: Codebase, routine: Routine, name: str) -> bool:

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from haros_ci import syntax
 from haros_ci.code.codebase import Codebase, Routine
@@ -52,10 +52,21 @@ def _python_class(code: Codebase, name: str, source: Source) -> Owner | None:
     found = [
         (where, class_)
         for where in code.python.modules.get(module, ())
-        for class_ in where.program.classes
-        if class_.name == last
+        for class_ in _by_name(code, where).get(last, ())
     ]
     return found[0] if len(found) == 1 else None
+
+
+def _by_name(code: Codebase, source: Source) -> Mapping[str, list[Class]]:
+    """The classes of a file by their names."""
+    key = ("classes by name", source.path)
+    if key not in code.kept:
+        made: dict[str, list[Class]] = {}
+        for class_ in source.program.classes:
+            made.setdefault(class_.name, []).append(class_)
+        code.kept[key] = made
+    found: Mapping[str, list[Class]] = code.kept[key]
+    return found
 
 
 def owner_of(code: Codebase, routine: Routine) -> Owner | None:
@@ -63,7 +74,7 @@ def owner_of(code: Codebase, routine: Routine) -> Owner | None:
     name = routine.owner
     if not name:
         return None
-    own = [class_ for class_ in routine.source.program.classes if class_.name == name]
+    own = _by_name(code, routine.source).get(name, ())
     if len(own) == 1:
         return routine.source, own[0]
     found = class_named(code, name, routine.source)

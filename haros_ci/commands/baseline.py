@@ -108,13 +108,13 @@ def prune(flags: Flags) -> int:
 
 def show(flags: Flags) -> int:
     """``haros-ci baseline show``: what the file holds, one finding a line."""
-    from haros_ci.report.escape import terminal
+    from haros_ci.report.escape import log_line
 
     settings = settings_from({"paths": (), "isolated": True})
     for known in known_file(flags, settings):
         scope = f" in {known.scope}" if known.scope else ""
         reason = f" ({known.reason})" if known.reason else ""
-        click.echo(terminal(f"{known.path}{scope}: {known.template} [{known.tool}:{known.rule}]{reason}"))
+        click.echo(log_line(f"{known.path}{scope}: {known.template} [{known.tool}:{known.rule}]{reason}"))
     return 0
 
 

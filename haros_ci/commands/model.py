@@ -20,7 +20,7 @@ from haros_ci.errors import UserError
 from haros_ci.model.architecture import Architecture
 from haros_ci.model.running import as_running
 from haros_ci.model.workspace import Problem, Workspace
-from haros_ci.report.escape import terminal
+from haros_ci.report.escape import log_line, terminal
 from haros_ci.timing import remark, stage, timed
 from haros_ci.workspace.cache import DiskCache, MemoryCache
 from haros_ci.workspace.discover import discover
@@ -181,7 +181,7 @@ def end(store: DiskCache | MemoryCache, messages: Iterable[str]) -> None:
     if problem:
         click.echo(f"warning: {problem}", err=True)
     for line in messages:
-        click.echo(terminal(line), err=True)
+        click.echo(log_line(line), err=True)
 
 
 def put(found: Architecture, format: str, path: Path | None, root: Path) -> None:
@@ -315,7 +315,7 @@ def expected(found: Architecture, path: str) -> int:
     for configuration in found.configurations:
         for difference in compare(configuration, declared, found.packages):
             at = f"{difference.location}: " if difference.location is not None else ""
-            click.echo(terminal(f"{at}{difference.level}: {difference.message} [{difference.rule}]"))
+            click.echo(log_line(f"{at}{difference.level}: {difference.message} [{difference.rule}]"))
             count += difference.level != "note"
     return 1 if count else 0
 
@@ -326,6 +326,6 @@ def documented(workspace: Workspace, found: Architecture) -> int:
 
     count = 0
     for item in differences(workspace, found):
-        click.echo(terminal(f"{item.path}:{item.line}: {item.level}: {item.message} [{item.rule}]"))
+        click.echo(log_line(f"{item.path}:{item.line}: {item.level}: {item.message} [{item.rule}]"))
         count += item.level != "note"
     return 1 if count else 0

@@ -20,7 +20,7 @@ from haros_ci.query.fault import QueryError, place
 from haros_ci.query.findings import names_of, places_of, provenance
 from haros_ci.query.queries import VARIABLES, Scenes
 from haros_ci.query.values import QueryEntity, QueryList, QueryPair, QueryRecord, Value, words
-from haros_ci.report.escape import json_document, terminal
+from haros_ci.report.escape import json_document, log_line, terminal
 from haros_ci.workspace.discover import discover
 
 
@@ -97,7 +97,7 @@ def show(matches: list[tuple[str, Value]], format: str) -> None:
     for name, match in matches:
         spots = [spot for entity in entities_of(match) for spot in places_of(entity)[:1]]
         at = f"{spots[0]}: " if spots else ""
-        click.echo(terminal(f"{at}{words(match)}{f' [{name}]' if name else ''}"))
+        click.echo(log_line(f"{at}{words(match)}{f' [{name}]' if name else ''}"))
 
 
 def as_json(value: Value) -> Any:

@@ -20,7 +20,7 @@ from haros_ci.commands.monitor import settings_of
 from haros_ci.errors import EXIT_TOOL_TROUBLE, UserError
 from haros_ci.pipeline import found, selection_of
 from haros_ci.registry import registry
-from haros_ci.report.escape import terminal
+from haros_ci.report.escape import log_line, terminal
 from haros_ci.scratch import scratch_directory
 from haros_ci.test_files.property_tests.processes import Processes
 from haros_ci.test_files.suite import Suite
@@ -84,7 +84,7 @@ def _run(folder: Path, tests: Sequence[str], made: Sequence[Suite], flags: Mappi
     if missing:
         raise UserError(f"{' and '.join(missing)} cannot be imported", help="pip install 'haros-ci[testgen]'")
     for line in starts(made):
-        click.echo(terminal(line))
+        click.echo(log_line(line))
     sys.stdout.flush()
     env = dict(os.environ)
     if flags["examples"] is not None:

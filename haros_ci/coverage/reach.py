@@ -9,8 +9,9 @@ C++ mentions what is C++ and Python what is Python: bindings name in their own C
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Set
 
+from haros_ci import syntax
 from haros_ci.code.classes import base_names, class_named
 from haros_ci.code.codebase import Codebase
 from haros_ci.coverage.pieces import Piece, last_name
@@ -147,6 +148,7 @@ def _hierarchy(code: Codebase, is_python: bool) -> tuple[dict[str, frozenset[str
 def _filed(found: Reach, pieces: Mapping[str, list[Piece]], modules: frozenset[str]) -> list[Piece]:
     """Enter all *pieces* by the names that make them run; what is returned runs by itself: programs."""
     roots = []
+    own = {piece.name for every in pieces.values() for piece in every if piece.is_python and piece.function is not None}
     for path, every in pieces.items():
         for piece in every:
             half = found.half(piece)
@@ -160,9 +162,19 @@ def _filed(found: Reach, pieces: Mapping[str, list[Piece]], modules: frozenset[s
             else:
                 if piece.function is not None:
                     half.by_name[piece.name].append(piece)
+                if _is_given(piece, own):
+                    half.by_name[stem(path)].append(piece)
+                    roots += [piece] if path not in modules else []
                 if not half.is_free(piece):
                     half.by_class[piece.owner].append(piece)
     return roots
+
+
+def _is_given(piece: Piece, own: Set[str]) -> bool:
+    """Whether a decorator, one of the functions *own*, is given the function when its file is run, and may call it there and then."""
+    decorators = piece.function.decorators if piece.function is not None and piece.is_python else ()
+    callees = (one.callee if isinstance(one, syntax.Call) else one for one in decorators)
+    return any(last_name(syntax.name_of(callee)) in own for callee in callees)
 
 
 def stem(path: str) -> str:

@@ -6,16 +6,20 @@ from __future__ import annotations
 import ast
 from bisect import bisect_right
 from collections.abc import Callable, Iterator, Sequence
+from itertools import takewhile
 from typing import NamedTuple
 
 from haros_ci.records import dataclass, field
 from haros_ci.regex import regex
-from haros_ci.results.constant_tests import constants_of, is_empty, leaves, truth
+from haros_ci.results.constant_tests import cases, constants_of, is_empty, leaves, truth
 from haros_ci.results.python_nodes import mentions
 
 _FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda)
 _COMPREHENSIONS = (ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp)
 _LOOPS = (ast.For, ast.AsyncFor)
+#: Statements that are run as a whole, and expressions of which a part may not be run.
+_SIMPLE = (ast.Expr, ast.Assign, ast.AugAssign, ast.Return)
+_IN_PART = (ast.BoolOp, ast.IfExp, ast.Lambda)
 #: What catches the error of a name without a value; and functions that a framework calls by their names.
 _NAME_ERROR = regex(r"\b(?:NameError|UnboundLocalError|Exception|BaseException)\b")
 _CALLED_BY_NAME = regex(r"__|main$|test|setup|teardown|setUp|tearDown|pytest|generate_|on_")
@@ -27,6 +31,7 @@ HANDLED, DECLARED = (
     "it has a type, and is given no value",
 )
 LATER = "it is bound only behind it"
+CALLED = "it is bound only behind a call of the function that uses it"
 
 
 @dataclass(eq=False, slots=True)
@@ -43,6 +48,8 @@ class Scope:
     outer: dict[str, str] = field(default_factory=dict)
     #: The first lines of the statements that a module or function is made of, in their order.
     starts: tuple[int, ...] = ()
+    #: Those of a function that run whenever it is called.
+    sure: frozenset[int] = frozenset()
     _summaries: dict[str, tuple[int, int, frozenset[str]]] = field(default_factory=dict)
 
     def start(self, line: int) -> int:
@@ -87,6 +94,7 @@ class Names:
         self.is_called = is_called
         self.uses: list[Use] = []
         self.first_uses: dict[str, int] = {}
+        self.calls: dict[str, list[Use]] = {}
         self.mentioned = {node.id for node in every if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load)}
         self.mentioned |= {node.attr for node in every if isinstance(node, ast.Attribute)}
         self.mentioned |= {
@@ -183,12 +191,19 @@ class Names:
             self._declared(node, place)
         elif isinstance(node, ast.Delete):
             self._deleted(node, place)
+        elif isinstance(node, ast.Match):
+            self._todo.append((node.subject, place))
+            for case, is_run in cases(node, self.constants):
+                self._children(case, place if is_run else place._replace(is_dead=True))
         elif isinstance(node, ast.MatchAs | ast.MatchStar | ast.MatchMapping):
             name = node.rest if isinstance(node, ast.MatchMapping) else node.name
             if name:
                 self._bind(name, node.lineno, place)
             self._children(node, place)
         else:
+            if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and not place.is_dead:
+                if node.func.id not in place.handled:
+                    self.calls.setdefault(node.func.id, []).append(Use(node.func.id, node.lineno, scope))
             self._children(node, place)
 
     def _children(self, node: ast.AST, place: _Place) -> None:
@@ -237,6 +252,7 @@ class Names:
         self._todo += [(one, place) for one in (*node.decorator_list, *annotations) if one is not None]
         self._outermost |= _deletions(node.body)
         inner.starts = _starts(node.body)
+        inner.sure = _sure(node)
         self._block(node.body, body)
 
     def _attempt(self, node: ast.Try, place: _Place) -> None:
@@ -280,6 +296,16 @@ class Names:
 def _starts(body: list[ast.stmt]) -> tuple[int, ...]:
     decorated = (one.decorator_list[:1] for one in body if isinstance(one, (*_FUNCTIONS[:2], ast.ClassDef)))
     return tuple(sorted({*(one.lineno for one in body), *(one.lineno for first in decorated for one in first)}))
+
+
+def _sure(node: ast.FunctionDef | ast.AsyncFunctionDef) -> frozenset[int]:
+    """The first lines of the statements of a function before one that may leave it, without those of which a part may not be run."""
+    if isinstance(node, ast.AsyncFunctionDef) or any(
+        isinstance(one, ast.Yield | ast.YieldFrom) for one in _own_nodes(node.body)
+    ):
+        return frozenset()
+    sure = takewhile(lambda one: isinstance(one, _SIMPLE), node.body)
+    return frozenset(one.lineno for one in sure if not any(isinstance(it, _IN_PART) for it in ast.walk(one)))
 
 
 def _deletions(body: list[ast.stmt]) -> set[int]:

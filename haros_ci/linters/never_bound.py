@@ -9,7 +9,7 @@ import re
 from collections.abc import Callable, Iterator
 from typing import NamedTuple
 
-from haros_ci.linters.bindings import DEAD, DECLARED, HANDLED, LATER, UNCALLED, Names, Scope, Use
+from haros_ci.linters.bindings import CALLED, DEAD, DECLARED, HANDLED, LATER, UNCALLED, Names, Scope, Use
 from haros_ci.linters.pylint_idioms import nodes
 from haros_ci.regex import regex
 
@@ -61,6 +61,8 @@ def _judged(names: Names, use: Use) -> NeverBound | None:
         return None if whys == {DECLARED} and scope is names.module else NeverBound(use.name, use.line, why, first)
     if _is_at_once(use, scope) and use.line < scope.start(first):
         return NeverBound(use.name, use.line, LATER, first)
+    if _is_called_before(names, use, scope, first):
+        return NeverBound(use.name, use.line, CALLED, first)
     at = scope.deleted.get(use.name, 0)
     if last <= at and _is_behind(names, use, scope, at):
         return NeverBound(use.name, use.line, _DELETED, at)
@@ -73,6 +75,19 @@ def _is_at_once(use: Use, scope: Scope) -> bool:
     while inner is not None and inner is not scope and inner.kind == "class":
         inner = inner.parent
     return inner is scope
+
+
+def _is_called_before(names: Names, use: Use, scope: Scope, first: int) -> bool:
+    """Whether the function of *use* is defined in *scope*, uses the name whenever it runs, and is called there before the line *first*."""
+    inner = use.scope
+    if inner.parent is not scope or not inner.name or inner.start(use.line) not in inner.sure:
+        return False
+    if len(scope.bound.get(inner.name, ())) != 1:
+        return False
+    return any(
+        call.scope is scope and inner.line < call.line and scope.start(call.line) < scope.start(first)
+        for call in names.calls.get(inner.name, ())
+    )
 
 
 def _is_behind(names: Names, use: Use, scope: Scope, at: int) -> bool:

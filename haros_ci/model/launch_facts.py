@@ -166,13 +166,24 @@ class NodePattern:
     matches: bool | None = None
 
 
+@dataclass(frozen=True, slots=True)
+class RefusedValue:
+    """Where in a parameter file that is valid YAML rcl stops: the *problem*, and *advice* what to write."""
+
+    path: str
+    line: int
+    problem: str
+    advice: str
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ParameterFileUse(LaunchFact):
     """A parameter file given to a node (ROS 2): *node* is its full name, None where the program names itself.
 
     *text* is what is named, *path* the file, None if it is not known; *is_found* as in ``FileUse``. *patterns* are its sections, ()
     with *is_read* False where they cannot be read. *program* is the package and executable or class of the node. *substitutes* says that launch
-    itself opens the file, for the substitutions in it.
+    itself opens the file, for the substitutions in it. *refused* is where the node's process, which reads the file as it stands, stops;
+    None also where launch reads it, or writes another one of it.
     """
 
     text: str
@@ -183,6 +194,7 @@ class ParameterFileUse(LaunchFact):
     is_read: bool = False
     patterns: tuple[NodePattern, ...] = ()
     substitutes: bool = False
+    refused: RefusedValue | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 
 from haros_ci.model.coverage import AREAS, OPEN, PRODUCTION, Coverage
 from haros_ci.model.coverage import Counts as Counted
-from haros_ci.report.escape import terminal
+from haros_ci.report.escape import log_line
 
 HEAD = ("package", "sites", "endpoints", "no API", "unreached", "missing", "accounted")
 #: What an area is called behind the name of a package.
@@ -19,7 +19,7 @@ LISTED = 200
 
 def render(found: Coverage) -> str:
     """The whole text."""
-    return "".join(f"{terminal(line)}\n" for line in _lines(found))
+    return "".join(f"{log_line(line)}\n" for line in _lines(found))
 
 
 def percent(part: float | None) -> str:

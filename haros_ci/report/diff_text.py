@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections import Counter
 
 from haros_ci.model.changes import CHANGED, RENAMED, Change, Changes
-from haros_ci.report.escape import terminal
+from haros_ci.report.escape import log_line
 from haros_ci.report.summary import plural
 
 #: Names that are written out.
@@ -23,7 +23,7 @@ def render(found: Changes, base: str, head: str | None) -> str:
         return f"{NOTHING}\n"
     lines = [f"{headline(found)} ({revisions(base, head)})"]
     lines += (_line(change) for change in found.changes)
-    return "\n".join(map(terminal, lines)) + "\n"
+    return "\n".join(map(log_line, lines)) + "\n"
 
 
 def headline(found: Changes) -> str:

@@ -37,6 +37,17 @@ def terminal(text: str) -> str:
     return _UNSAFE_IN_LINE.sub(REPLACEMENT, text.replace("\t", " "))
 
 
+def log_line(text: str) -> str:
+    """As ``terminal``, for a whole line: one that begins with ``::`` is taken for a workflow command, and gets a ``./``."""
+    return inert(terminal(text))
+
+
+def inert(line: str) -> str:
+    """*line* with a ``./`` before a ``::`` at its head, behind blanks: there a GitHub runner takes it for a command (actions/runner, ActionCommand.cs)."""
+    rest = line.lstrip()
+    return f"{line[: len(line) - len(rest)]}./{rest}" if rest.startswith("::") else line
+
+
 def multiline(text: str) -> str:
     """As ``terminal``, but newlines and tabs stay and CR LF becomes LF."""
     if text.isprintable() and _MARK not in text:

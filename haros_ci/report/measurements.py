@@ -13,7 +13,7 @@ from haros_ci import __version__
 from haros_ci.model.measurement import Measurement
 from haros_ci.records import dataclass
 from haros_ci.report.csv_table import cell
-from haros_ci.report.escape import json_document, terminal
+from haros_ci.report.escape import json_document, log_line
 from haros_ci.report.message import number
 from haros_ci.results.result import Notification
 
@@ -118,7 +118,7 @@ def as_text(values: Iterable[Measurement], limits: Iterable[Limit]) -> str:
         names = {"package": package, "file": path, "class": class_name, "function": _full(class_name, function)}
         at = f"{path}:{line}: " if line else ""
         message = ", ".join(_described(by_metric, here, metric, value) for metric, value in found.items())
-        lines.append(f"{terminal(at)}{here} {terminal(names[here])}: {message}\n")
+        lines.append(log_line(f"{at}{here} {names[here]}: {message}") + "\n")
     return "".join(lines)
 
 

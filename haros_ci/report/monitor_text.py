@@ -15,7 +15,7 @@ from typing import Any
 
 from haros_ci.model.location import Location
 from haros_ci.records import dataclass
-from haros_ci.report.escape import json_document, terminal
+from haros_ci.report.escape import json_document, log_line
 
 #: Columns of a timeline.
 WIDTH = 60
@@ -77,22 +77,22 @@ def text(held: Held) -> str:
 def _lines(held: Held) -> Iterator[str]:
     span = "" if held.begin is None or held.end is None else f", {held.end - held.begin:.3f} s"
     of = f" of {held.configuration}" if held.configuration else ""
-    yield terminal(f"{held.name}{of}: {held.messages:,} messages{span}, by {held.clock} time")
+    yield log_line(f"{held.name}{of}: {held.messages:,} messages{span}, by {held.clock} time")
     for one in held.properties:
         node = f" ({one.node})" if one.node else ""
-        yield terminal(f"{SIGNS[one.verdict]} {one.verdict}: {one.title}{node}")
+        yield log_line(f"{SIGNS[one.verdict]} {one.verdict}: {one.title}{node}")
         if one.reason:
-            yield terminal(f"    {one.reason}")
+            yield log_line(f"    {one.reason}")
         if one.verdict == "violated":
             yield from violation(one, held)
         scopes, triggers, behaviours = one.counts
         yield f"    counted: {scopes} openings of the scope, {triggers} triggers, {behaviours} behaviours"
         if one.note:
-            yield terminal(f"    {one.note}")
+            yield log_line(f"    {one.note}")
     counts = {name: sum(one.verdict == name for one in held.properties) for name in SIGNS}
     yield ", ".join(f"{count} {name}" for name, count in counts.items())
     for note in held.notes:
-        yield terminal(f"note: {note}")
+        yield log_line(f"note: {note}")
 
 
 def violation(judged: Judged, held: Held) -> Iterator[str]:
@@ -101,7 +101,7 @@ def violation(judged: Judged, held: Held) -> Iterator[str]:
     for moment in judged.moments:
         values = ", ".join(f"{name} = {_value(value)}" for name, value in moment.values.items())
         at = f"{moment.time - begin:+.3f} s"
-        yield terminal(
+        yield log_line(
             f"    {at:>14}  {moment.role}: message {moment.number:,} on {moment.topic}{f' with {values}' if values else ''}"
         )
     assert judged.time is not None

@@ -9,7 +9,7 @@ from typing import Any
 from haros_ci.model.architecture import Qos
 from haros_ci.model.observed import ComparedTopic, Comparison
 from haros_ci.model.rates import Rate
-from haros_ci.report.escape import json_document, terminal
+from haros_ci.report.escape import json_document, log_line, terminal
 from haros_ci.report.summary import plural
 
 NOT_ALL = "a recording does not have everything: what it lacks may be unrecorded, or not have happened"
@@ -30,7 +30,7 @@ def text(found: Comparison) -> str:
     if found.unrecorded:
         lines.append(f"  what the model has and the recording lacks ({NOT_ALL}):")
         lines += [f"    {name}, published by {', '.join(nodes)}" for name, nodes in found.unrecorded]
-    return "\n".join(map(terminal, lines)) + "\n"
+    return "\n".join(map(log_line, lines)) + "\n"
 
 
 def _recorded(one: ComparedTopic) -> str:

@@ -9,7 +9,7 @@ from itertools import groupby
 
 from haros_ci.report import summary
 from haros_ci.report.entries import lines_to_add
-from haros_ci.report.escape import terminal
+from haros_ci.report.escape import inert, terminal
 from haros_ci.report.gathered import gathered
 from haros_ci.report.message import label, plain, shorten
 from haros_ci.report.source_lines import Reader, lines_of
@@ -51,7 +51,7 @@ def findings(results: Iterable[Result], *, color: bool, width: int, why: bool, s
 
 def one_line(result: Result) -> str:
     """``path:line:column: level: message [tool:rule]``, without colour."""
-    return _inert(_head(result, _painter(False)))
+    return inert(_head(result, _painter(False)))
 
 
 def closing(report: Report, *, known: Collection[Notification], color: bool) -> str:
@@ -99,7 +99,7 @@ def _painter(color: bool) -> Paint:
 
 
 def _joined(blocks: Iterable[Iterable[str]]) -> str:
-    return "\n".join("".join(f"{_inert(line)}\n" for line in block) for block in map(tuple, blocks) if block)
+    return "\n".join("".join(f"{inert(line)}\n" for line in block) for block in map(tuple, blocks) if block)
 
 
 def _files(
@@ -107,12 +107,6 @@ def _files(
 ) -> list[Iterable[str]]:
     lines = lines_of(source or (lambda path: ""))
     return [_file(tuple(group), paint, lines, width, why) for _, group in groupby(results, lambda r: r.location.path)]
-
-
-def _inert(line: str) -> str:
-    """A path that begins with ``::`` gets a ``./``: at the head of a line a GitHub runner takes it for a command."""
-    path = line.lstrip()
-    return f"{line[: len(line) - len(path)]}./{path}" if path.startswith("::") else line
 
 
 def _file(

@@ -16,7 +16,7 @@ from typing import Any
 
 from haros_ci.model.location import Location
 from haros_ci.records import dataclass
-from haros_ci.report.escape import json_document, terminal
+from haros_ci.report.escape import json_document, log_line
 
 SIGNS = {
     "proved": "+",
@@ -103,7 +103,7 @@ class Verification:
 
 def text(found: Verification) -> str:
     """For a terminal."""
-    return "".join(f"{terminal(line)}\n" for line in _lines(found))
+    return "".join(f"{log_line(line)}\n" for line in _lines(found))
 
 
 def _lines(found: Verification) -> Iterator[str]:

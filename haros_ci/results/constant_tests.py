@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import ast
 import operator
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 
 from haros_ci.results.constant_values import UNKNOWN, value_of
 from haros_ci.results.python_nodes import dotted
@@ -116,6 +116,36 @@ def is_empty(values: ast.expr, given: Mapping[str, object]) -> bool:
     is_text = isinstance(values, ast.Constant) and isinstance(values.value, str | bytes)
     is_group = isinstance(values, ast.List | ast.Tuple | ast.Set | ast.Dict | ast.Call)
     return (is_text or is_group) and truth(values, given) is False
+
+
+def matches(pattern: ast.pattern, subject: object, given: Mapping[str, object], depth: int = 0) -> bool | None:
+    """Whether a case with *pattern* takes the value *subject* of a ``match``; None where that is not known."""
+    if depth > DEEPEST:
+        return None
+    if isinstance(pattern, ast.MatchAs):
+        return True if pattern.pattern is None else matches(pattern.pattern, subject, given, depth + 1)
+    if not _is_plain(subject):
+        return None
+    if isinstance(pattern, ast.MatchOr):
+        parts = [matches(one, subject, given, depth + 1) for one in pattern.patterns]
+        return True if True in parts else None if None in parts else False
+    if isinstance(pattern, ast.MatchSingleton):
+        return subject is pattern.value
+    if isinstance(pattern, ast.MatchValue):
+        value = value_of(pattern.value, given)
+        return bool(subject == value) if _is_plain(value) else None
+    return False if isinstance(pattern, ast.MatchSequence | ast.MatchMapping) else None
+
+
+def cases(statement: ast.Match, given: Mapping[str, object]) -> Iterator[tuple[ast.match_case, bool]]:
+    """The cases of a ``match``, each with whether it may be run."""
+    subject = value_of(statement.subject, given)
+    is_over = False
+    for case in statement.cases:
+        found = matches(case.pattern, subject, given)
+        guard = True if case.guard is None else truth(case.guard, given)
+        yield case, not is_over and found is not False and guard is not False
+        is_over = is_over or (found is True and guard is True)
 
 
 def leaves(statement: ast.stmt, given: Mapping[str, object], depth: int = 0) -> bool:

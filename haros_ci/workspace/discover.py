@@ -172,7 +172,7 @@ class _Disk:
                 yield Content(path, "package", data)
 
     def _content(self, candidate: CandidatePath) -> Content | None:
-        """The contents; None if it is no regular file or, where only contents can tell, no script."""
+        """The contents; None where only they can tell that it is no script. OSError, also if it is no regular file."""
         if self._buffer is not None and candidate.path == self._buffer.path:
             data = self._buffer.data
             language = candidate.language or script_language(data[:HEAD]) or candidate.fallback
@@ -187,7 +187,9 @@ class _Disk:
             if language is None:
                 return None
         found = read_regular(place, self._limit)
-        return None if found is None else Content(candidate.path, language, found)
+        if found is None:
+            raise OSError(errno.EINVAL, "it is a pipe, a device or another thing that is no file")
+        return Content(candidate.path, language, found)
 
     def _trouble(self, candidate: CandidatePath, err: OSError) -> SymbolicLink | Problem | None:
         if err.errno in (errno.ELOOP, errno.EMLINK):  # what O_NOFOLLOW says of a symbolic link

@@ -158,7 +158,8 @@ def _first_bytes(argv: list[str], options: dict[str, Any], command: str, limit: 
 class GitFiles:
     """What git lists: *files*, the repositories *nested* in them, *executables* and, by *tracked* path, the name of what the index holds.
 
-    *is_whole* is false where git did not find in its time what is not tracked: none of that is among them then.
+    *is_whole* is false where git did not find in its time what is not tracked: none of that is among them then. *sparse* are the tracked
+    files that it leaves out of the work tree (git-sparse-checkout(1)).
     """
 
     files: list[str]
@@ -166,6 +167,7 @@ class GitFiles:
     executables: list[str]
     tracked: dict[str, str]
     is_whole: bool = True
+    sparse: tuple[str, ...] = ()
 
 
 def listed_files(repository: Repository, cwd: Path, directories: tuple[str, ...]) -> GitFiles:
@@ -187,6 +189,7 @@ def listed_files(repository: Repository, cwd: Path, directories: tuple[str, ...]
     nested: set[str] = set()
     executables: set[str] = set()
     tracked: dict[str, str] = {}
+    sparse: list[str] = []
     for record in listed.split(b"\0"):
         if record.startswith(b"? "):  # untracked; a repository of its own ends with a slash
             path = os.fsdecode(record[2:])
@@ -198,7 +201,9 @@ def listed_files(repository: Repository, cwd: Path, directories: tuple[str, ...]
             if entry[2:].startswith(b"100755"):
                 executables.add(path)
             tracked[path] = entry[9:-2].decode("ascii")
-    return GitFiles(sorted(files), sorted(nested), sorted(executables), tracked, is_whole)
+            if entry.startswith(b"S "):
+                sparse.append(path)
+    return GitFiles(sorted(files), sorted(nested), sorted(executables), tracked, is_whole, tuple(sorted(sparse)))
 
 
 def resolve_commit(repository: Repository, rev: str) -> str:

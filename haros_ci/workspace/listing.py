@@ -77,6 +77,7 @@ def _list_repository(
     if not found.is_whole:
         place = mount.rstrip("/") or "."
         listing.problems.append(Problem(place, SLOW))
+    listing.problems += _left_out(root, [mount + path for path in found.sparse])
     paths = [mount + path for path in found.files]
     listing.paths += paths
     listing.executables.update(mount + path for path in found.executables)
@@ -99,6 +100,16 @@ def _list_repository(
     for directory in directories if found.is_whole else ():
         for ignored in _ignored_as_a_whole(root, directory, paths + [mount + path for path in found.nested]):
             _walk(listing, root, ignored, change=change)
+
+
+def _left_out(root: Path, sparse: list[str]) -> list[Problem]:
+    """One problem for all tracked files that a sparse checkout has left out: a directory that is not there looks as if nothing were in it."""
+    gone = [path for path in sparse if not os.path.lexists(f"{root}/{path}")]
+    if not gone:
+        return []
+    files, verb = ("file", "is") if len(gone) == 1 else ("files", "are")
+    why = f"{len(gone):,} tracked {files} {verb} not checked out (git sparse-checkout) and so not analysed"
+    return [Problem(gone[0], f"{why}; git sparse-checkout disable brings all of them")]
 
 
 def _ignored_as_a_whole(root: Path, directory: str, known: list[str]) -> list[str]:

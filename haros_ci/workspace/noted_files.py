@@ -18,6 +18,8 @@ MAX_NAMED = 10
 _LARGEST = 1 << 20
 #: What a template may become that is analysed, and no code.
 _DATA = frozenset(("launch", "xml", "yaml", "world", "interface"))
+#: How files are called that say which repositories belong to this one: git-submodule(1), vcstool, wstool.
+_SOURCES = (".gitmodules", ".repos", ".rosinstall")
 
 
 def noted(
@@ -39,6 +41,13 @@ def noted(
     yield from _one(called, has_changed, ("holds", "hold"), "calls of Python, and Python code names it: it may be run")
     yield from _one(
         filter(_is_template, rest), has_changed, ("is", "are"), "made into data of ROS by a build, and so not analysed"
+    )
+    sources = (path for path in paths if path.lower().endswith(_SOURCES))
+    yield from _one(
+        sources,
+        has_changed,
+        ("names", "name"),
+        "other repositories, of which nothing is analysed but what is checked out here",
     )
     flagged = (path for path in paths if may_have_flags(path.rpartition("/")[2]) and _has_flags(path, tree))
     yield from _one(flagged, has_changed, ("sets", "set"), "flags of compilers, which no tool is given")

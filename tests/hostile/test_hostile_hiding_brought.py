@@ -38,6 +38,10 @@ NAMED = {
     ),
     "pkg/msg/Word.msg": ("int32 bigName\n", "rosidl refuses the name bigName of a field"),
     "installs.cmake": ("install(TARGETS a DESTINATION lib EXCLUDE_FROM_ALL)\n", "install() has EXCLUDE_FROM_ALL"),
+    ".gitmodules": (
+        '[submodule "a"]\n\tpath = a\n\turl = ../a\n',
+        "2 changed files name other repositories, of which nothing is analysed but what is checked out here: .gitmodules, all.repos",
+    ),
     "aside.cpp": ('#include "test/part.hpp"\n', "a file of tests or of another project"),
     "computed.hpp": ('#define PART "part.hpp"\n#include PART\n', "in another way than the compiler"),
 }
@@ -54,6 +58,8 @@ QUIET = {
     "q_later.py": "def f():\n    return late()\n\n\ndef late():\n    return 1\n\n\nvalue = f()\n",
     "pkg/msg/Said.msg": "int32 big_name\nint32 A=1\n",
     "q_installs.cmake": "install(TARGETS a DESTINATION lib OPTIONAL)\n",
+    "all.repos": "repositories: {a: {type: git, url: 'https://example.org/a.git', version: main}}\n",
+    "q_repos.yaml": "repositories: {}\n",
     "q_moved.hpp": '#define TELL(n) n->create_publisher<M>("a", 1)\n',
     "test/q_test.cpp": '#include "part.hpp"\n',
 }

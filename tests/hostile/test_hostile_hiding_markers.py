@@ -143,7 +143,7 @@ CASES = [
     Case(
         "a submodule that is none",
         lambda t: t.write(".gitmodules", '[submodule "arm"]\n\tpath = src/arm\n\turl = ./x\n\tignore = all\n'),
-        "",
+        ".gitmodules: 1 changed file names other repositories",
     ),
 ]
 

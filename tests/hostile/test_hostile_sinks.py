@@ -55,6 +55,37 @@ def test_a_patch_in_a_log_of_a_runner_commands_nothing(trap: Trap) -> None:
     assert not OBEYED.search(text) and not RAW.search(text)
 
 
+@pytest.mark.parametrize(
+    "command",
+    [
+        ("metrics",),
+        ("metrics", "--format=csv"),
+        ("model", "--coverage"),
+        ("model",),
+        ("model", "--format=readme"),
+        ("query", "for n in <nodes> where True return n"),
+        ("diff", "HEAD~1"),
+        ("diff", "HEAD~1", "--format=markdown"),
+        ("check", ".", "--output=text", "--statistics"),
+        ("baseline", "show"),
+    ],
+    ids=" ".join,
+)
+def test_no_line_begins_as_a_command_to_a_runner(trap: Trap, command: tuple[str, ...]) -> None:
+    laid(trap, folder="::stop-commands::x")
+    trap.write("::error::x/a.launch.py", LAUNCH.replace(EVIL, "::error::y"))
+    trap.write("::error::x/b.py", "def f():\n    return undefined_name\n")
+    trap.commit()
+    trap.write("::stop-commands::x/t.cpp", CODE.replace('"plain"', '"other"'))
+    trap.commit()
+    if command[0] == "baseline":
+        trap.start("baseline", "create", ".")
+    done = trap.start(*command, environment={"GITHUB_ACTIONS": "true"})
+    text = (done.stdout + done.stderr).decode()
+    assert any(word in text for word in ("::stop-commands::x", "::error::x", "other", "bad")), text
+    assert not OBEYED.search(text), text
+
+
 @pytest.mark.parametrize("folder", ["a b", 'a"b', "a\\b", "\u00e9", "a\tb", "-x", "a\u202eb", "'", " a", "a "])
 def test_a_patch_is_of_the_file_that_it_names(trap: Trap, folder: str) -> None:
     laid(trap, folder=folder)

@@ -53,6 +53,22 @@ def test_terminal_leaves(text: str) -> None:
     assert escape.terminal(text) == text
 
 
+@pytest.mark.parametrize(
+    ("text", "shown"),
+    [
+        ("::error::x", "./::error::x"),
+        (" \t::stop-commands::x", "  ./::stop-commands::x"),
+        ("a ::error::x", "a ::error::x"),
+        (":error", ":error"),
+        ("##[error]x", "##�error]x"),
+        ("a\n::error::x", "a�::error::x"),
+        ("", ""),
+    ],
+)
+def test_no_line_begins_as_a_command(text: str, shown: str) -> None:
+    assert escape.log_line(text) == shown
+
+
 def test_multiline_keeps_lines() -> None:
     assert escape.multiline("a\r\n\tb\x1b\rc") == "a\n\tb��c"
 

@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import hashlib
+import os
 import shutil
 from collections.abc import Callable
 from pathlib import Path
@@ -559,3 +560,38 @@ def test_other_launch_files_are_not_named(tmp_path: Path, files: dict[str, bytes
 def test_a_package_of_rosbuild_that_is_left_out_is_not_named(tmp_path: Path) -> None:
     plant(tmp_path, {f"old/{name}": data for name, data in ROSBUILD.items()})
     assert messages(discover(tmp_path, (".",), exclude=("old",))) == []
+
+
+@pytest.mark.parametrize(
+    ("skipped", "gone", "named"),
+    [
+        (("b/c.py", "b/d.py"), ("b/c.py", "b/d.py"), "b/c.py"),
+        (("b/c.py",), ("b/c.py",), "b/c.py"),
+        (("b/c.py",), (), ""),
+        ((), ("b/c.py",), ""),
+        ((), (), ""),
+    ],
+)
+def test_what_a_sparse_checkout_leaves_out_is_named(
+    git: Git, skipped: tuple[str, ...], gone: tuple[str, ...], named: str
+) -> None:
+    git.commit({"a.py": b"", "b/c.py": b"", "b/d.py": b""})
+    for path in skipped:
+        git("update-index", "--skip-worktree", path)
+    for path in gone:
+        (git.top / path).unlink()
+    found = [problem for problem in discover(git.top, (".",)).problems if "sparse" in problem.message]
+    assert [problem.path for problem in found] == ([named] if named else [])
+    if named:
+        assert found[0].message.startswith(f"{len(gone)} tracked file")
+
+
+def test_a_pipe_is_named_where_it_is_asked_for_or_tracked(git: Git) -> None:
+    git.commit({"a.py": b"", "b.py": b""})
+    (git.top / "a.py").unlink()
+    os.mkfifo(git.top / "a.py")
+    os.mkfifo(git.top / "c.py")
+    found = {problem.path: problem.message for problem in discover(git.top, (".",)).problems}
+    assert "it is a pipe" in found["a.py"] and "c.py" not in found
+    (asked,) = (problem for problem in discover(git.top, ("c.py",)).problems if problem.path == "c.py")
+    assert asked.message.startswith("skipped: it cannot be read (it is a pipe")

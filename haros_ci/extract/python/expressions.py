@@ -11,6 +11,7 @@ from typing import TypeVar, cast
 from haros_ci import syntax
 from haros_ci.extract.python import comprehensions
 from haros_ci.extract.python.annotations import NO_TYPE, type_of
+from haros_ci.extract.python.keywords import written_out
 from haros_ci.extract.python.scope import DEEPEST, PythonScope, qualified, too_deep
 from haros_ci.extract.python.source import place, unknown
 from haros_ci.syntax import Block, Expression, Function, Parameter
@@ -189,7 +190,7 @@ def _call(node: ast.Call, scope: PythonScope, depth: int) -> Expression:
     owner = _updated(node)
     callee = expression(node.func, scope, depth) if owner is None else syntax.Name("[update]")
     arguments = [expression(item, scope, depth) for item in (*([] if owner is None else [owner]), *node.args)]
-    for keyword in node.keywords:
+    for keyword in written_out(node.keywords):
         value = expression(keyword.value, scope, depth)
         arguments.append(syntax.Keyword(keyword.arg, value) if keyword.arg else syntax.DoubleStar(value))
     return syntax.Call(callee, tuple(arguments), (), *place(scope.file.source, node))

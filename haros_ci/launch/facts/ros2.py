@@ -30,6 +30,7 @@ from haros_ci.model.launch_facts import (
     ParameterFileUse,
     PathUse,
     ProgramUse,
+    RefusedValue,
 )
 from haros_ci.model.location import Location
 from haros_ci.substitutions.names import Text
@@ -182,8 +183,12 @@ def parameter_file(
     found: str | None,
     patterns: Iterable[NodePattern] | None,
     substitutes: bool = False,
+    refused: RefusedValue | None = None,
 ) -> None:
-    """A parameter file that a node is given by the text *path*; *patterns* are its sections, None if it is not read; *substitutes* says that launch opens it."""
+    """A parameter file that a node is given by the text *path*; *patterns* are its sections, None if it is not read.
+
+    *substitutes* says that launch opens it; *refused* is where the node's process stops that reads it.
+    """
     if path.known and not getattr(context, "is_asking", False):
         fact = ParameterFileUse(
             location=location,
@@ -196,6 +201,7 @@ def parameter_file(
             is_read=patterns is not None,
             patterns=tuple(patterns or ()),
             substitutes=substitutes,
+            refused=refused,
         )
         context.facts.files.append(fact)
 

@@ -23,6 +23,7 @@ from haros_ci.launch.ros2.parameter_yaml import (
     size_of,
 )
 from haros_ci.launch.ros2.places import Places
+from haros_ci.launch.ros2.refused_values import refused_in
 from haros_ci.launch.ros2.rewritten import rewrite, rewritten_names
 from haros_ci.launch.ros2.substitutions import perform
 from haros_ci.model.architecture import Unknown
@@ -56,13 +57,17 @@ def file_rules(
     own = context.places.written.get((path.raw, path.reasons))
     if own is not None:
         return _of_written(context, own, path, location, component)
+    is_as_written = component is None and path.raw not in context.rewritten
     try:
         file, trees = _trees(context, path, substitutes, location, 0)
     except _Missing as err:
-        ros2.parameter_file(context, path, location, None, None, substitutes)
+        there = context.places.read(path.raw)[0] if path.known and is_as_written else None
+        refused = refused_in(context.places, there) if there is not None else None
+        ros2.parameter_file(context, path, location, None, None, substitutes, refused)
         return (missing(str(err), location),)
     patterns = sections_of(context.places, file, trees, component.name if component is not None else None)
-    ros2.parameter_file(context, path, location, file, patterns)
+    refused = refused_in(context.places, file) if is_as_written else None
+    ros2.parameter_file(context, path, location, file, patterns, refused=refused)
     key = ("rules", id(trees), file, location, component)
     if key in context.places.made:
         found, leaves = context.places.made[key][1]

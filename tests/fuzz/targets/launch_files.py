@@ -17,6 +17,7 @@ from haros_ci.index.behavior_tree_files import trees_of
 from haros_ci.launch.ros2.expression import expression_value
 from haros_ci.launch.ros2.parameter_files import values_in
 from haros_ci.launch.ros2.parameter_yaml import python_value, rcl_value, read_trees
+from haros_ci.launch.ros2.refused_values import refused_value
 from haros_ci.report.model_json import render as model_json
 from haros_ci.robot.commands import xacro_command
 from haros_ci.robot.descriptions import Descriptions
@@ -88,6 +89,9 @@ def parameter_yaml(data: bytes) -> object:
     except YamlFault as err:
         assert err.line >= 1 and str(err)
         found.append(str(err))
+    refused = refused_value(text, "bot/p.yaml")
+    assert refused is None or (1 <= refused.line <= len(text) + 1 and refused.problem)
+    found.append(refused)
     try:
         found.append(compose(text) is None)
     except YamlFault as err:
@@ -170,7 +174,13 @@ TARGETS = {
     "parameter-yaml": Entry(
         parameter_yaml,
         "parameter files",
-        ("bounded_yaml", "substitutions.yaml", "launch.ros2.parameter_yaml", "extract.launch.ros2_entity"),
+        (
+            "bounded_yaml",
+            "substitutions.yaml",
+            "launch.ros2.parameter_yaml",
+            "launch.ros2.refused_values",
+            "extract.launch.ros2_entity",
+        ),
         (
             b"!!binary ",
             b"!degrees ",
