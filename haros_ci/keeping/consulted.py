@@ -7,7 +7,7 @@ something, which is known by name. From the facts of a changed file before and a
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import lru_cache
 from struct import pack, unpack
 from zlib import crc32
@@ -69,7 +69,7 @@ def small(trace: Trace, relevance: Relevance, view: tuple[str, int, frozenset[st
     """*trace* as it is kept; None if it is not all that was consulted."""
     if not trace.is_whole:
         return None
-    effects = [_effect(source, function, names) for source, function, names in trace.effects.values()]
+    effects = tuple(_effects(trace))
     known = [effect for effect in effects if effect is not None]
     return Consulted(
         tuple(sorted(trace.paths)),
@@ -109,18 +109,24 @@ def last(name: str) -> str:
     return name.rpartition("::")[2].rpartition(".")[2] or name
 
 
-def _effect(source: Source, function: Function, changed: frozenset[str]) -> Effect | None:
-    """What a function changes, so that it can be compared; None where the function is not one of its file as it stands."""
-    same = [other_function for other_function in source.program.functions if other_function.name == function.name]
-    place = next(
-        (
-            n
-            for n, other_function in enumerate(same)
-            if (other_function.line, other_function.column) == (function.line, function.column)
-        ),
-        None,
-    )
-    return None if place is None else (source.path, function.name, place, _sum_of(changed))
+def _effects(trace: Trace) -> Iterator[Effect | None]:
+    """What each function that was asked for changes, so that it can be compared; None for one that is not of its file as it stands."""
+    places: dict[int, dict[tuple[str, int, int], int]] = {}
+    for source, function, names in trace.effects.values():
+        if id(source) not in places:
+            places[id(source)] = _places(source)
+        place = places[id(source)].get((function.name, function.line, function.column))
+        yield None if place is None else (source.path, function.name, place, _sum_of(names))
+
+
+def _places(source: Source) -> dict[tuple[str, int, int], int]:
+    """Of each function of a file by its name and place, how many of that name stand before it."""
+    count: dict[str, int] = {}
+    found: dict[tuple[str, int, int], int] = {}
+    for function in source.program.functions:
+        number = count[function.name] = count.get(function.name, -1) + 1
+        found.setdefault((function.name, function.line, function.column), number)
+    return found
 
 
 def _sum_of(names: frozenset[str]) -> int:

@@ -51,7 +51,9 @@ class Effects:
         return copied
 
     def besides(self, cell: Slot, own: int) -> list[object]:
-        """What the others leave behind in *cell*, which the callback of the number *own* writes, too: those before it, and those after it."""
+        """What the others leave behind in *cell*: those before the callback of the number *own*, and those after it."""
+        if cell not in self.together:
+            return []
         if cell not in self._differing:
             return [self.together[cell]] * ((self._first[cell] < own) + (own < self._last[cell]))
         if cell not in self._sides:
@@ -61,4 +63,5 @@ class Effects:
             self._sides[cell] = numbers, list(accumulate(values, joined)), back[::-1]
         numbers, before, after = self._sides[cell]
         place = bisect_left(numbers, own)
-        return [*before[place - 1 : place], *after[place + 1 : place + 2]] if place else after[1:2]
+        rest = place + (place < len(numbers) and numbers[place] == own)
+        return [*before[place - 1 : place], *after[rest : rest + 1]] if place else after[rest : rest + 1]

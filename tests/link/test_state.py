@@ -48,3 +48,23 @@ def test_what_all_but_one_leave_behind() -> None:
     ]
     assert effects.besides(other, 2) == []
     assert effects.besides(Cell(ONE), 0) == []
+
+
+def test_what_all_but_one_leave_behind_where_all_leave_the_same() -> None:
+    cell = Cell(ONE)
+    effects = Effects([{}, {cell: OPEN}, {cell: OPEN}])
+    assert [effects.besides(cell, own) for own in range(4)] == [[OPEN], [OPEN], [OPEN], [OPEN]]
+    assert Effects([{cell: OPEN}]).besides(cell, 0) == []
+
+
+def test_effects_that_are_added() -> None:
+    cell = Cell(ONE)
+    effects = Effects([{cell: Known(1)}])
+    before = effects.copy()
+    assert effects.besides(cell, 0) == []
+    effects.append({cell: Known(2)})
+    assert (effects.besides(cell, 0), effects.besides(cell, 1)) == ([Known(2)], [Known(1)])
+    assert effects.together == {cell: Choice((Known(1), Known(2)))}
+    effects.append({cell: Known(3)})
+    assert effects.besides(cell, 1) == [Known(1), Known(3)]
+    assert (len(before), before.besides(cell, 0), before.together) == (1, [], {cell: Known(1)})
