@@ -117,7 +117,7 @@ def ran(workspace: Path, *arguments: str, packages: str = "") -> tuple[int, str]
 def left(mark: str) -> list[str]:
     """What still runs of all that was started with this *mark* in its environment; there is a moment for what is ending."""
     found: list[str] = []
-    for _ in range(100):
+    for _ in range(600):  # a launcher gives its nodes up to 15 s; a machine with much other work is slow
         found = [path.parent.name for path in Path("/proc").glob("[0-9]*/environ") if _has(path, mark)]
         if not found:
             return []
