@@ -187,7 +187,7 @@ class Lifeline:
     The process inherits the reading end, which is set to send SIGKILL to its group when something happens (fcntl(2),
     F_SETOWN, F_SETSIG, O_ASYNC). The only thing that can happen is that the writing end is closed, which we hold.
     A signal on the parent's death (prctl) would have to be asked for by the process itself, between fork and exec.
-    In the moment between its start and ``tie`` the process is not tied: if we are killed then, its own limits of time end it.
+    Between its start and ``tie`` the process is not tied yet: if we are killed in that moment, it goes on until it ends by itself.
     """
 
     def __init__(self) -> None:
