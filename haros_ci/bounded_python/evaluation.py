@@ -127,10 +127,6 @@ class Evaluation:
             return one
         return language.unknown(isinstance(one, bool) and isinstance(other, bool))
 
-    def _namedexpr(self, node: ast.NamedExpr, depth: int) -> Any:
-        value = self.local[node.target.id] = self.value(node.value, depth)
-        return value
-
     def _list(self, node: ast.List, depth: int) -> Any:
         return [self.value(elt, depth) for elt in node.elts]
 
@@ -276,7 +272,6 @@ _EVALUATORS: dict[type[ast.expr], _Evaluator] = dict(
         _on(ast.BoolOp, Evaluation._boolop),
         _on(ast.Compare, Evaluation._compare),
         _on(ast.IfExp, Evaluation._ifexp),
-        _on(ast.NamedExpr, Evaluation._namedexpr),
         _on(ast.List, Evaluation._list),
         _on(ast.Tuple, Evaluation._tuple),
         _on(ast.Set, Evaluation._set),

@@ -5,21 +5,17 @@ from __future__ import annotations
 
 import ast
 from bisect import bisect_right
-from collections.abc import Callable, Iterator, Sequence
-from itertools import takewhile
+from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
+from haros_ci.linters.bodies import FUNCTIONS, deletions, names_in, own_nodes, starts, sure_lines
 from haros_ci.records import dataclass, field
 from haros_ci.regex import regex
 from haros_ci.results.constant_tests import cases, constants_of, is_empty, leaves, truth
 from haros_ci.results.python_nodes import mentions
 
-_FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda)
 _COMPREHENSIONS = (ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp)
 _LOOPS = (ast.For, ast.AsyncFor)
-#: Statements that are run as a whole, and expressions of which a part may not be run.
-_SIMPLE = (ast.Expr, ast.Assign, ast.AugAssign, ast.Return)
-_IN_PART = (ast.BoolOp, ast.IfExp, ast.Lambda)
 #: What catches the error of a name without a value; and functions that a framework calls by their names.
 _NAME_ERROR = regex(r"\b(?:NameError|UnboundLocalError|Exception|BaseException)\b")
 _CALLED_BY_NAME = regex(r"__|main$|test|setup|teardown|setUp|tearDown|pytest|generate_|on_")
@@ -106,8 +102,8 @@ class Names:
         self._global: list[tuple[Scope, str, int, str]] = []
 
     def read(self, tree: ast.Module) -> None:
-        self._outermost |= _deletions(tree.body)
-        self.module.starts = _starts(tree.body)
+        self._outermost |= deletions(tree.body)
+        self.module.starts = starts(tree.body)
         self._block(tree.body, _Place(self.module))
         while self._todo:
             self._node(*self._todo.pop())
@@ -162,7 +158,7 @@ class Names:
         elif isinstance(node, ast.alias):
             if node.name != "*":
                 self._bind((node.asname or node.name).partition(".")[0], node.lineno, place)
-        elif isinstance(node, (*_FUNCTIONS, ast.ClassDef)):
+        elif isinstance(node, (*FUNCTIONS, ast.ClassDef)):
             self._inner(node, place)
         elif isinstance(node, _COMPREHENSIONS):
             inner = Scope("comprehension", scope)
@@ -201,10 +197,13 @@ class Names:
                 self._bind(name, node.lineno, place)
             self._children(node, place)
         else:
-            if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and not place.is_dead:
-                if node.func.id not in place.handled:
-                    self.calls.setdefault(node.func.id, []).append(Use(node.func.id, node.lineno, scope))
+            if isinstance(node, ast.Call):
+                self._called(node, place)
             self._children(node, place)
+
+    def _called(self, node: ast.Call, place: _Place) -> None:
+        if isinstance(node.func, ast.Name) and not place.is_dead and node.func.id not in place.handled:
+            self.calls.setdefault(node.func.id, []).append(Use(node.func.id, node.lineno, place.scope))
 
     def _children(self, node: ast.AST, place: _Place) -> None:
         for _, value in ast.iter_fields(node):
@@ -228,7 +227,7 @@ class Names:
             self._todo += [(one, place) for one in (*node.bases, *node.keywords, *node.decorator_list)]
             self._block(node.body, place._replace(scope=Scope("class", place.scope, "", node.lineno)))
             return
-        if not isinstance(node, _FUNCTIONS):
+        if not isinstance(node, FUNCTIONS):
             return
         name = "" if isinstance(node, ast.Lambda) else node.name
         inner = Scope("function", place.scope, name, node.lineno)
@@ -242,7 +241,7 @@ class Names:
         if isinstance(node, ast.Lambda):
             self._todo.append((node.body, body))
             return
-        for other in _own_nodes(node.body):
+        for other in own_nodes(node.body):
             if isinstance(other, ast.Global | ast.Nonlocal):
                 inner.outer.update(dict.fromkeys(other.names, type(other).__name__.lower()))
         if node.decorator_list:
@@ -250,9 +249,9 @@ class Names:
         self._bind(name, node.lineno, place)
         annotations = [] if self.is_late else [one.annotation for one in every] + [node.returns]
         self._todo += [(one, place) for one in (*node.decorator_list, *annotations) if one is not None]
-        self._outermost |= _deletions(node.body)
-        inner.starts = _starts(node.body)
-        inner.sure = _sure(node)
+        self._outermost |= deletions(node.body)
+        inner.starts = starts(node.body)
+        inner.sure = sure_lines(node)
         self._block(node.body, body)
 
     def _attempt(self, node: ast.Try, place: _Place) -> None:
@@ -261,7 +260,7 @@ class Names:
             for one in node.body
         )
         is_awaited = any(one.type is None or mentions(one.type, _NAME_ERROR) for one in node.handlers)
-        inside = place.handled | _names(node.body) if is_awaited else place.handled
+        inside = place.handled | names_in(node.body) if is_awaited else place.handled
         self._block(node.body, place._replace(handled=inside))
         for handler in node.handlers:
             here = place._replace(is_dead=place.is_dead or is_harmless)
@@ -291,37 +290,3 @@ class Names:
                 self._todo.append((target, place))
             elif id(node) in self._outermost and not place.is_dead:
                 place.scope.deleted[target.id] = max(node.lineno, place.scope.deleted.get(target.id, 0))
-
-
-def _starts(body: list[ast.stmt]) -> tuple[int, ...]:
-    decorated = (one.decorator_list[:1] for one in body if isinstance(one, (*_FUNCTIONS[:2], ast.ClassDef)))
-    return tuple(sorted({*(one.lineno for one in body), *(one.lineno for first in decorated for one in first)}))
-
-
-def _sure(node: ast.FunctionDef | ast.AsyncFunctionDef) -> frozenset[int]:
-    """The first lines of the statements of a function before one that may leave it, without those of which a part may not be run."""
-    if isinstance(node, ast.AsyncFunctionDef) or any(
-        isinstance(one, ast.Yield | ast.YieldFrom) for one in _own_nodes(node.body)
-    ):
-        return frozenset()
-    sure = takewhile(lambda one: isinstance(one, _SIMPLE), node.body)
-    return frozenset(one.lineno for one in sure if not any(isinstance(it, _IN_PART) for it in ast.walk(one)))
-
-
-def _deletions(body: list[ast.stmt]) -> set[int]:
-    """Those among the outermost statements of a module or function: no branch or loop decides on them."""
-    return {id(one) for one in body if isinstance(one, ast.Delete)}
-
-
-def _own_nodes(body: list[ast.stmt]) -> Iterator[ast.AST]:
-    """All that a function is made of, but for what its inner functions and classes are."""
-    todo: list[ast.AST] = list(body)
-    while todo:
-        node = todo.pop()
-        yield node
-        if not isinstance(node, (*_FUNCTIONS, ast.ClassDef)):
-            todo += ast.iter_child_nodes(node)
-
-
-def _names(body: list[ast.stmt]) -> frozenset[str]:
-    return frozenset(node.id for one in body for node in ast.walk(one) if isinstance(node, ast.Name))

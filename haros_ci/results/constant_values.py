@@ -32,6 +32,8 @@ _METHODS: dict[type, frozenset[str]] = {
 
 def value_of(node: ast.expr, given: Mapping[str, object]) -> object:
     """What *node* always comes to, with the constants *given*; UNKNOWN where that is not known, or is a failure."""
+    if isinstance(node, ast.NamedExpr):
+        return value_of(node.value, given)  # no other one stands right in it
     evaluation = Evaluation(_Constants(given))
     try:
         if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "isinstance":
@@ -54,7 +56,7 @@ class _Constants(Language):
     """Expressions of a file that is looked at, and not run: what is made of anything but constants raises NotFollowed."""
 
     limits = Limits(characters=0, depth=20, size=1_000, bits=30, weight=400)
-    syntax = SYNTAX | {ast.Set, ast.Dict, ast.NamedExpr}
+    syntax = SYNTAX | {ast.Set, ast.Dict}
     constants = (str, bytes, int, float)
     operators: ClassVar = {**ARITHMETIC, **BITS}
 
