@@ -57,11 +57,10 @@ def _names(project: Project) -> Iterator[Finding]:
                 end = max(vague, key=lambda one: one.location.sort_key)
                 if end.location not in reported:
                     reported.add(end.location)
-                    why = next((unknown.reason for unknown in end.raw.unknowns if unknown.field == "name"), "")
                     yield Finding(
                         at=end.location,
                         message=(
-                            f"the name of a {end.word} in {node} is not known any more{f' ({why})' if why else ''}, before the change it had "
+                            f"the name of a {end.word} in {node} is not known any more{_why(end, 'name')}, before the change it had "
                             f"{lost[0]}: no check compares it with those of others; look at it, or write the name where it is used"
                         ),
                         about=(lost[0], kind, node.name),
@@ -81,16 +80,21 @@ def _types(project: Project) -> Iterator[Finding]:
                 continue
             if end.kind in _TYPED and end.location not in reported:
                 reported.add(end.location)
-                why = next((unknown.reason for unknown in end.raw.unknowns if unknown.field == "type"), "")
                 yield Finding(
                     at=end.location,
                     message=(
-                        f"the type of the {end.word} of {end.name} in {end.node} is not known any more{f' ({why})' if why else ''}, it was {before[place]}: "
+                        f"the type of the {end.word} of {end.name} in {end.node} is not known any more{_why(end, 'type')}, it was {before[place]}: "
                         "no check compares it with those of others; look at it, or name the type where it is used"
                     ),
                     about=(end.name, end.kind, end.node.name),
                     level=Level.NOTE,
                 )
+
+
+def _why(end: End, field: str) -> str:
+    """Why the *field* of an end is not known, in brackets; "" where the model gives no reason."""
+    reason = next((unknown.reason for unknown in end.raw.unknowns if unknown.field == field), "")
+    return f" ({reason})" if reason else ""
 
 
 def _ends(project: Project) -> Iterator[Finding]:

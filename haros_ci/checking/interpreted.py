@@ -88,7 +88,7 @@ def is_to_be_run(path: str, project: Project) -> bool:
         (
             isinstance(statement, syntax.Do)
             and isinstance(statement.value, syntax.Call)
-            and not _PREPARING.fullmatch(_dotted(statement.value.callee))
+            and not _PREPARING.fullmatch(syntax.dotted(statement.value.callee))
         )
         or (isinstance(statement, syntax.If) and "__name__" in statement.text)
         for statement in body
@@ -114,15 +114,6 @@ def _only_defines(path: str, project: Project) -> bool:
         return False
     defines = bool(program.classes) or any(function.kind != "module" for function in program.functions)
     return defines and not is_to_be_run(path, project)
-
-
-def _dotted(callee: syntax.Expression) -> str:
-    """What is called, as names with dots: ``sys.path.insert``; "" for anything else."""
-    parts: list[str] = []
-    while isinstance(callee, syntax.Member):
-        parts.append(callee.name)
-        callee = callee.object
-    return ".".join(reversed([*parts, callee.name])) if isinstance(callee, syntax.Name) else ""
 
 
 def _imports(text: str) -> bool:

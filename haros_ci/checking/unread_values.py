@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 from weakref import WeakKeyDictionary
 
 from haros_ci.checking.system import System
@@ -58,12 +59,17 @@ def _is_of_ours(system: System, text: str, place: int) -> bool:
 
 def _is_in_code(system: System, name: str) -> bool:
     """Whether any code of the workspace has the word *name*; where there is too much of it, or none, it may."""
-    whole = system.whole
-    if whole not in _words:
-        workspace = system.workspace
-        files = [one.path for one in workspace.files if one.language in ("cpp", "python")] if workspace else []
-        words: set[str] = set()
-        for path in files if workspace is not None and len(files) <= _MOST else ():
-            words.update(_WORD.findall(workspace.text(path)) if workspace is not None else ())
-        _words[whole] = frozenset(words)
-    return not _words[whole] or name in _words[whole]
+    words = _words.get(system.whole)
+    if words is None:
+        words = _words[system.whole] = frozenset(_words_of(system))
+    return not words or name in words
+
+
+def _words_of(system: System) -> Iterator[str]:
+    """The words of all code of the workspace; none where there is too much of it."""
+    workspace = system.workspace
+    if workspace is None:
+        return
+    paths = [file.path for file in workspace.files if file.language in ("cpp", "python")]
+    for path in paths if len(paths) <= _MOST else ():
+        yield from _WORD.findall(workspace.text(path))

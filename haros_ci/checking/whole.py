@@ -194,7 +194,7 @@ class Whole:
     @cached_property
     def _people(self) -> frozenset[str]:
         """The words of all manifests: who has written and who maintains what."""
-        from haros_ci.checking.foreign_heads import words
+        from haros_ci.model.copyright_owners import words
 
         manifests = (path for path in self._paths if path.rpartition("/")[2] == "package.xml")
         return frozenset(word for path in manifests for word in words(self._text(path)))

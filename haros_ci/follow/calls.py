@@ -325,8 +325,8 @@ def apply(  # noqa: C901 - one branch for each kind of what is called
         ways = [partial(apply, walk, frame, option, args, targs, location, callee) for option in function.options]
         return walk.either_way(ways, "one of several functions is called")
     if isinstance(function, Opaque):
-        dynamic.function(walk, function, members.dotted(callee), location)
-    return library.unknown_call(walk, frame, members.dotted(callee) or "a function", args)
+        dynamic.function(walk, function, syntax.dotted(callee), location)
+    return library.unknown_call(walk, frame, syntax.dotted(callee) or "a function", args)
 
 
 def _takes_self(function: Callable, args: tuple[call_arguments.PassedArgument, ...]) -> bool:

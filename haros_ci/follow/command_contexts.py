@@ -5,13 +5,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from haros_ci.follow import construct, expressions, lookup, members
+from haros_ci.follow import construct, expressions, lookup
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.walk import Walk
 from haros_ci.index.index import Source
 from haros_ci.index.mentions import MODULES
 from haros_ci.model.location import Location
-from haros_ci.syntax import Expression
+from haros_ci.syntax import Expression, dotted
 from haros_ci.values.abstract import Cell, ClassValue, Known, Library, Object, Opaque, Value
 
 CONTEXT, PASSING = "click.Context", "click.make_pass_decorator"
@@ -29,7 +29,7 @@ def context_of(parent: Value, obj: Value) -> Object:
 
 def passed(walk: Walk, frame: Frame, source: Source, decorator: Expression, context: Object) -> Iterable[Value]:
     """What a decorator passes as an argument of its own: the context, its object, or an object of a class."""
-    if not members.dotted(decorator):
+    if not dotted(decorator):
         return
     value = expressions.evaluate(walk, lookup.module_frame(walk, source), decorator)
     if isinstance(value, Library) and value.name.partition(".")[0] in MODULES:

@@ -12,7 +12,7 @@ from collections.abc import Sequence
 from functools import partial
 
 from haros_ci import syntax
-from haros_ci.follow import activation, call_arguments, calls, expressions, lookup, members
+from haros_ci.follow import activation, call_arguments, calls, expressions, lookup
 from haros_ci.follow.command import Command
 from haros_ci.follow.command_contexts import CONTEXT, DEEP, PASSING, UNKNOWN, context_of, of_class, passed
 from haros_ci.follow.frames import Frame
@@ -105,7 +105,7 @@ def _owner(walk: Walk, source: Source, callee: Expression) -> int | None:
     if type(callee) is syntax.Name:
         value: Value = expressions.evaluate(walk, frame, callee)
         return 0 if isinstance(value, Library) and value.name.partition(".")[0] in MODULES else None
-    if type(callee) is not syntax.Member or not members.dotted(callee.object):
+    if type(callee) is not syntax.Member or not syntax.dotted(callee.object):
         return None
     value = expressions.evaluate(walk, frame, callee.object)
     if isinstance(value, Library):

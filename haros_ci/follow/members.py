@@ -26,7 +26,7 @@ from haros_ci.follow.ros import ros2_parameters
 from haros_ci.follow.walk import Walk
 from haros_ci.index.index import Source
 from haros_ci.index.types import pointee
-from haros_ci.syntax import Class, Expression, Type
+from haros_ci.syntax import Class, Type
 from haros_ci.values import iterators
 from haros_ci.values.abstract import (
     NONE,
@@ -307,13 +307,3 @@ def located(walk: Walk, frame: Frame, expression: syntax.Member) -> tuple[Cell |
     if cell is not None:
         return cell, cell.value
     return None, attribute(walk, value, expression.name, frame)
-
-
-def dotted(expression: Expression) -> str:
-    parts: list[str] = []
-    while type(expression) is syntax.Member:
-        parts.append(expression.name)
-        expression = expression.object
-    if type(expression) is not syntax.Name:
-        return ""
-    return ".".join((expression.name, *reversed(parts)))

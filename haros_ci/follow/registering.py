@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from haros_ci import syntax
-from haros_ci.follow import call_arguments, calls, commands, expressions, lookup, members, uncalled
+from haros_ci.follow import call_arguments, calls, commands, expressions, lookup, uncalled
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.walk import Walk
 from haros_ci.index.index import Source
@@ -55,7 +55,7 @@ def given(walk: Walk, frame: Frame, function: Callable) -> None:
         value = expressions.evaluate(walk, frame, callee.object)
         is_library = isinstance(value, Opaque) or (isinstance(value, Object) and value.definition is None)
         if is_library and commands.command(walk, function) is None:
-            name = members.dotted(callee) or callee.name
+            name = syntax.dotted(callee) or callee.name
             uncalled.offer(
                 walk, function, f"the decorator {name} is not known, which is given the function and may call it"
             )

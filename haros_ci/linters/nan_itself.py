@@ -10,6 +10,7 @@ from itertools import islice
 
 from haros_ci.linters.pylint_idioms import nodes
 from haros_ci.regex import regex
+from haros_ci.results.python_nodes import dotted
 
 _NAN = regex(r"\bnan\b", re.IGNORECASE)
 #: Comparisons in a line that are looked at.
@@ -38,12 +39,12 @@ def is_of_nan_itself(text: str, line: int) -> bool:
 def _is_set_to_nan(value: ast.expr, every: Iterable[ast.AST]) -> bool:
     """Whether one of the nodes sets *value*, a name, an attribute or an item of one, to the object NaN."""
     is_item = isinstance(value, ast.Subscript)
-    name = _dotted(value.value if isinstance(value, ast.Subscript) else value)
+    name = dotted(value.value if isinstance(value, ast.Subscript) else value)
     for node in every if name else ():
         if isinstance(node, ast.Assign | ast.AnnAssign) and node.value is not None:
             targets = node.targets if isinstance(node, ast.Assign) else [node.target]
             is_given = _keeps_nan(node.value) if is_item else _is_nan(node.value)
-            if is_given and any(_dotted(target) == name for target in targets):
+            if is_given and any(dotted(target) == name for target in targets):
                 return True
         if isinstance(node, ast.arguments) and not is_item:
             positional = zip(reversed((*node.posonlyargs, *node.args)), reversed(node.defaults), strict=False)
@@ -51,13 +52,6 @@ def _is_set_to_nan(value: ast.expr, every: Iterable[ast.AST]) -> bool:
             if any(one.arg == name and _is_nan(default) for one, default in (*positional, *keywords)):
                 return True
     return False
-
-
-def _dotted(node: ast.expr) -> str:
-    """``a`` and ``self.a`` as they are written; "" for anything else."""
-    if isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name):
-        return f"{node.value.id}.{node.attr}"
-    return node.id if isinstance(node, ast.Name) else ""
 
 
 def _keeps_nan(value: ast.expr) -> bool:
@@ -69,7 +63,7 @@ def _keeps_nan(value: ast.expr) -> bool:
     return isinstance(value, ast.Call) and any(
         keyword.arg == "dtype"
         and (
-            _dotted(keyword.value) in ("object", "np.object_", "numpy.object_")
+            dotted(keyword.value) in ("object", "np.object_", "numpy.object_")
             or (isinstance(keyword.value, ast.Constant) and keyword.value.value in ("O", "object"))
         )
         for keyword in value.keywords
@@ -78,4 +72,4 @@ def _keeps_nan(value: ast.expr) -> bool:
 
 def _is_nan(node: ast.expr | None) -> bool:
     """Whether *node* is the object NaN of a module: ``np.nan``, ``math.nan``, or its name alone."""
-    return node is not None and _dotted(node).rpartition(".")[2] in ("nan", "NaN", "NAN")
+    return node is not None and dotted(node).rpartition(".")[2] in ("nan", "NaN", "NAN")

@@ -33,7 +33,7 @@ _METHODS: dict[type, frozenset[str]] = {
 def value_of(node: ast.expr, given: Mapping[str, object]) -> object:
     """What *node* always comes to, with the constants *given*; UNKNOWN where that is not known, or is a failure."""
     if isinstance(node, ast.NamedExpr):
-        return value_of(node.value, given)  # no other one stands right in it
+        return value_of(node.value, given)  # `if (found := 0):`; inside of other expressions it is not known
     evaluation = Evaluation(_Constants(given))
     try:
         if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "isinstance":

@@ -34,6 +34,7 @@ from haros_ci.syntax.expressions import (
     Type,
     TypeName,
     Unknown,
+    dotted,
     name_of,
 )
 from haros_ci.syntax.node import Node, Record, replace
@@ -143,6 +144,7 @@ __all__ = [
     "TypeName",
     "Unknown",
     "Variable",
+    "dotted",
     "name_of",
     "replace",
     "started",

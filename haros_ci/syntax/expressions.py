@@ -274,3 +274,12 @@ OF_CLASS = "[class]"
 def name_of(expression: Expression) -> str:
     """The name that an identifier or a member access says, as written; "" of anything else."""
     return expression.name if type(expression) is Name or type(expression) is Member else ""
+
+
+def dotted(expression: Expression) -> str:
+    """The names with dots that an expression is (``sys.path.insert``); "" of anything else."""
+    parts: list[str] = []
+    while type(expression) is Member:
+        parts.append(expression.name)
+        expression = expression.object
+    return ".".join((expression.name, *reversed(parts))) if type(expression) is Name else ""

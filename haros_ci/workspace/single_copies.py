@@ -8,6 +8,7 @@ import re
 from collections.abc import Collection, Iterable
 from functools import cached_property
 
+from haros_ci.model.copyright_owners import owner_lines, owners_in, words
 from haros_ci.model.package import SourceFile
 from haros_ci.regex import regex
 from haros_ci.workspace.generated import leading_comment
@@ -21,11 +22,6 @@ OTHERS = 5
 MOST = 3
 #: Characters of a first comment that are looked at.
 _HEAD = 8_192
-_OWNER = regex(
-    r"(?:\bcopyright|\bSPDX-FileCopyrightText)\b[ \t:]*(?=[^\n]{0,60}?(?:\d{4}|\(c\)|©))(?:\(c\)|©)?[ \t]*(?:\d{4}[\d \t,–-]{0,60}(?:present\b)?)?[ \t,]*(?:\(c\)|©)?"
-    r"[ \t]*(?:by\b)?[ \t]*([^\n\d<(;,]{3,80})",
-    re.IGNORECASE,
-)
 _LICENCES = {
     "mit": regex(
         r"permission is hereby granted, free of charge|\bmit\b.{0,20}\blicen[cs]e|identifier: mit\b", re.IGNORECASE
@@ -72,15 +68,6 @@ _MAKERS = tuple(
 )
 #: A licence of a maker's own.
 _CONTRACT = regex(r"\beula\b|\blicen[cs]e agreement\b|\b(?:software|plugins?) licen[cs]e\b", re.IGNORECASE)
-_WORD = regex(r"[^\W\d_]{4,}")
-#: Words of an owner that say nothing of who it is.
-_COMMON = frozenset(
-    """
-    rights reserved author authors contributors corporation company incorporated limited gmbh university institute technology
-    laboratory laboratories research robotics robot robots open source foundation group team project software developers
-    department engineering science school copyright holder holders notice
-    """.split()
-)
 _OF_ROS = regex(
     r"\b(?:rospy|rclpy|rclcpp\w*|roslib|roscpp|rosbag\w*|nodelet|pluginlib|cv_bridge|dynamic_reconfigure|ament_\w+|catkin\w*|\w+_(?:msgs|srvs|interfaces))\b"
     r"|[<\"]ros/|\b(?:from|import)[ \t]+(?:launch(?:_ros)?\b|[\w.]+\.(?:msg|srv|action)[ \t]+import\b)"
@@ -107,7 +94,7 @@ class SingleCopies(Judged):
 
     def _is_copy(self, file: SourceFile) -> bool:
         head = self._head(file)
-        owner, licences = _owner(head), _first_licence(head)
+        owner, licences = owners_in(head), _first_licence(head)
         is_of_maker = bool(licences or _CONTRACT.search(head)) and self._is_of_maker(head)
         if not owner or not (licences or is_of_maker) or file.lines < SHORTEST or not self._workspace.packages:
             return False
@@ -125,7 +112,7 @@ class SingleCopies(Judged):
             return False
         group = {other_file.path for other_file in own}
         if any(
-            not _owner(self._head(other_file)) & owner or _first_licence(self._head(other_file)) != licences
+            not owners_in(self._head(other_file)) & owner or _first_licence(self._head(other_file)) != licences
             for other_file in own
         ):
             return False
@@ -140,7 +127,7 @@ class SingleCopies(Judged):
 
     def _is_of_maker(self, head: str) -> bool:
         """Whether all copyright lines of *head* are of one maker of chips that no manifest names: what comes with the hardware."""
-        lines = [found[1] for found in _OWNER.finditer(head)]
+        lines = owner_lines(head)
         named = [own for name, own in _MAKERS if lines and all(name.search(line) for line in lines)]
         return bool(named) and not any(own.search(text) for own in named for text in self._manifests)
 
@@ -167,12 +154,12 @@ class SingleCopies(Judged):
 
     @cached_property
     def _heads(self) -> dict[str, frozenset[str]]:
-        return {file.path: _words(self._head(file)) for file in self._code}
+        return {file.path: words(self._head(file)) for file in self._code}
 
     @cached_property
     def _people(self) -> frozenset[str]:
         """The words of all manifests: who maintains and has written what, and where they work."""
-        return frozenset(word for text in self._manifests for word in _words(text))
+        return frozenset(word for text in self._manifests for word in words(text))
 
     @cached_property
     def _manifests(self) -> tuple[str, ...]:
@@ -204,12 +191,6 @@ class SingleCopies(Judged):
         return False
 
 
-def _owner(head: str) -> frozenset[str]:
-    """The words that tell the owners of *head*'s copyright lines from others; none where a line has no such word."""
-    lines = [_words(found[1]) - _COMMON for found in _OWNER.finditer(head)]
-    return frozenset().union(*lines) if all(lines) else frozenset()
-
-
 def _licences(head: str) -> frozenset[str]:
     plain = re.sub(r"[\s#*/]+", " ", head)
     return frozenset(name for name, pattern in _LICENCES.items() if pattern.search(plain))
@@ -220,7 +201,3 @@ def _first_licence(head: str) -> frozenset[str]:
     plain = re.sub(r"[\s#*/]+", " ", head)
     places = {name: found.start() for name, pattern in _LICENCES.items() if (found := pattern.search(plain))}
     return frozenset(sorted(places, key=lambda name: places[name])[:1])
-
-
-def _words(text: str) -> frozenset[str]:
-    return frozenset(word.lower() for word in _WORD.findall(text))
