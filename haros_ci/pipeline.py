@@ -51,6 +51,7 @@ from haros_ci.model.workspace import Store, Workspace
 from haros_ci.refuted import missing, refuted_since
 from haros_ci.registry import Registry
 from haros_ci.results import own
+from haros_ci.results.called_again import notes as calls_again
 from haros_ci.results.coverage import coverage
 from haros_ci.results.fingerprint import fingerprint
 from haros_ci.results.result import Artifact, Notification, Report, Result, Run, Tool, distribute, results_of
@@ -113,6 +114,8 @@ def analyse(
             *notices(workspace, past, silence),
             *refuted_since(workspace, settings, past, compared.runs, before_it),
         )
+        if past is not None and settings.baseline is None:
+            noticed += calls_again(results_of(compared.runs), workspace, past.workspace, past.renames)
     notes = (*settings.notes, *misfits, *idle_entries(runs, workspace, settings))
     report = Report(
         # absent results bring rules of their own

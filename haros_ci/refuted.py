@@ -28,29 +28,24 @@ def refuted_since(
     runs: tuple[Run, ...],
     examine: Callable[[Workspace], tuple[Run, ...]],
 ) -> tuple[Notification, ...]:
-    """A note on the findings that *runs* leave out by the code around them, and that *base* neither had nor left out; and on calls that make a
-    known finding once more (``called_again``).
+    """A note on the findings that *runs* leave out by the code around them, and that *base* neither had nor left out.
 
     Whatever file they are in: what makes them, or speaks against them, may lie in another one. None where what *base* has is not known:
     *examine* gives its findings.
     """
     if base is None or settings.baseline is not None:
         return ()
-    from haros_ci.results.called_again import notes
-
-    results = (result for run in runs for result in run.results)
-    again = notes(results, workspace, base.workspace, base.renames)
     old = {file.path: file.digest for file in base.workspace.files}
     is_changed = old != {file.path: file.digest for file in workspace.files}
     now = tuple(replace(run, results=run.refuted) for run in runs if run.refuted and is_changed)
     places = _unknown(now, workspace, base, examine) if now else []
     if not places:
-        return again
+        return ()
     named = ", ".join(f"{place} ({rule})" for place, rule in places[:MOST])
     more = f" and {len(places) - MOST:,} more" if len(places) > MOST else ""
     noun, them = ("finding is", "it") if len(places) == 1 else ("findings are", "them")
     text = f"since this change {len(places):,} {noun} not reported, as the code around speaks against {them}: {named}{more}; look at {them}"
-    return (*again, Notification(Level.NOTE, text))
+    return (Notification(Level.NOTE, text),)
 
 
 def missing(before: Iterable[Result], after: Iterable[Result]) -> Iterable[Result]:
