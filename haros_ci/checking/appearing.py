@@ -24,6 +24,8 @@ def may_appear(package: ProjectPackage, path: str, quiet: Collection[str]) -> bo
         return True
     if any(path == link or path.startswith(f"{link}/") for link, _ in project.workspace.links):
         return True
+    if any(path[:at] in project.workspace.names for at, letter in enumerate(path) if letter == "/"):
+        return True  # a link that leads to nothing here
     stem = base.partition(".")[0]
     words, text = package.cmake.words(frozenset(quiet))
     return bool(stem and stem in words) or base in text or is_ignored(project.workspace, path)
