@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from haros_ci.checking.frame_texts import FrameUse, frames_in
-from haros_ci.checking.robots import descriptions, is_by_itself, lead, other_reader, place_of, together
+from haros_ci.checking.robots import descriptions, is_by_itself, lead, malformed, other_reader, place_of, together
 from haros_ci.checking.transforms import Broadcast, at_odds, broadcasts, called, listeners_of_tf, origin
 from haros_ci.checking.unloaded import is_left_over
 from haros_ci.model.robot import (
@@ -36,6 +36,7 @@ __all__ = [
     "is_left_over",
     "lead",
     "listeners_of_tf",
+    "malformed",
     "origin",
     "other_reader",
     "place_of",

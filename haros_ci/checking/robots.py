@@ -34,6 +34,18 @@ def descriptions(project: Project) -> Iterator[Description]:
             yield description
 
 
+#: How the message begins of a file that holds a robot and is no XML.
+_NO_XML = "not read as a description of a robot: not well-formed XML: "
+
+
+def malformed(project: Project) -> Iterator[tuple[Location, str]]:
+    """The descriptions of robots that are no XML: the place of the first fault of each, and what it is in expat's words."""
+    _ = project.descriptions  # now all of them have been read
+    for problem in project.problems:
+        if problem.message.startswith(_NO_XML):
+            yield Location(problem.path, problem.line or 1), problem.message.removeprefix(_NO_XML)
+
+
 def place_of(second: Thing, first: Thing | None = None) -> Location:
     """Where to mend *second*: the call that makes it, if a macro makes both it and *first*."""
     if first is not None and second.location == first.location:
