@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from haros_ci.api import Check, Finding, Level, System
+from haros_ci.api import Check, Finding, Level, System, is_slip
 from haros_ci.api.launch import ProgramUse, included_by, meant
 
 _WORDS = {
@@ -13,10 +13,22 @@ _WORDS = {
     "component": "registers no component",
     "nodelet": "exports no nodelet",
 }
+_KINDS = {"executable": "program", "component": "component", "nodelet": "nodelet"}
 
 
 def check(system: System) -> Iterator[Finding]:
     for use in system.facts(ProgramUse):
+        if use.is_found is None and (near := tuple(name for name in use.similar if is_slip(name, use.program))):
+            yield Finding(
+                at=use.location,
+                message=f"no {_KINDS[use.kind]} {use.program!r} is known of package {use.package}, which is not in the workspace: this node "
+                f"probably cannot start{meant(near)}",
+                about=(f"{use.package}/{use.program}",),
+                flow=included_by(use),
+                apart=(use.program,),
+                level=Level.WARNING,
+                presence=use.presence,
+            )
         if use.is_found is not False:
             continue
         if use.is_library:

@@ -63,8 +63,8 @@ class ProgramUse(LaunchFact):
     """A program, or the class of a component or nodelet, that a launch file starts from *package*.
 
     *kind*: ``executable``, ``component`` or ``nodelet``. *is_found* says whether the package builds or installs it, None where
-    its build cannot tell or it is not in the workspace. *similar* are names that the package has, nearest first. *is_library* says that
-    the package builds a library of this name.
+    its build cannot tell or it is not in the workspace. *similar* are names that the package has, or of one outside of the workspace those
+    that are known, nearest first. *is_library* says that the package builds a library of this name.
     """
 
     kind: str

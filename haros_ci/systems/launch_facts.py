@@ -12,9 +12,11 @@ from haros_ci.launch.facts.programs import Programs
 from haros_ci.model.architecture import Node
 from haros_ci.model.build import Build
 from haros_ci.model.launch_facts import ConstructUse, FileUse, LaunchFact, NodePattern, PackageUse, ProgramUse
+from haros_ci.model.similar_files import similar_names
 from haros_ci.model.workspace import Workspace
 from haros_ci.records import dataclass, field
 from haros_ci.systems.following import Types
+from haros_ci.systems.known.load import load_known
 from haros_ci.systems.system import Job
 
 
@@ -43,7 +45,7 @@ class Completion:
         if isinstance(fact, FileUse):
             return self.finder.completed(fact)
         if isinstance(fact, ProgramUse):
-            return self.programs.completed(fact)
+            return self.programs.completed(fact) if fact.package in self.packages else _with_known(fact)
         if isinstance(fact, PackageUse):
             return replace(fact, is_here=fact.package in self.packages)
         if isinstance(fact, ConstructUse) and fact.kind == "foreign":
@@ -70,6 +72,14 @@ class Completion:
             is_found = True if use.is_read else made.is_found
             found.append(replace(use, patterns=patterns, is_found=is_found, path=use.path or made.path))
         return tuple(found)
+
+
+def _with_known(use: ProgramUse) -> ProgramUse:
+    """The use of a package outside of the workspace, with those of its programs or components that are known and may be meant."""
+    known = load_known(use.package, use.ros) or {}
+    if use.program in known:
+        return use
+    return replace(use, similar=similar_names(use.program, known, use.package, 3))
 
 
 def _matched(pattern: NodePattern, names: list[str], is_whole: bool) -> NodePattern:
