@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from difflib import get_close_matches
 from functools import lru_cache
 
-from haros_ci.api import Check, Finding, Level, Project, ProjectPackage, listed, regex
+from haros_ci.api import Check, Finding, Level, Project, ProjectPackage, is_slip, listed, regex
 from haros_ci.api.packages import (
     OF_TARGETS,
     CMakeCommand,
@@ -93,10 +93,14 @@ def _in_force(package: ProjectPackage) -> list[CMakeCommand]:
 
 
 def _unknown(package: ProjectPackage, command: CMakeCommand, is_open: bool) -> Iterator[tuple[str, str]]:
-    """The names in *command* that stand for nothing, each with what comes of it; *is_open* if others may make targets, too."""
-    cmake, words = package.cmake, command.arguments
+    """The names in *command* that stand for nothing, each with what comes of it; *is_open* if others may make targets, too.
+
+    Those that others make have names of their own: one that differs from a target of the package by a slip is none of them.
+    """
     if is_open and command.name in _OF_BUILD:
+        yield from (found for found in _unknown(package, command, False) if _is_slip_of_target(package, found[0]))
         return
+    cmake, words = package.cmake, command.arguments
     if command.name in OF_TARGETS and words and not command.is_test:
         end = words.index("PROPERTIES") if "PROPERTIES" in words else 1
         names = words[:end] if command.name == "set_target_properties" else words[:1]
@@ -229,6 +233,10 @@ def _is_written(package: ProjectPackage, name: str) -> bool:
 
 #: Names that are compared with one that is not known.
 MAX_NAMES = 300
+
+
+def _is_slip_of_target(package: ProjectPackage, name: str) -> bool:
+    return any(is_slip(name, target) for target in list(package.cmake.targets)[:MAX_NAMES])
 
 
 def _finding(package: ProjectPackage, command: CMakeCommand, wrong: tuple[str, ...], what: str) -> Finding:
