@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Two ends of one type that nobody else connects to, and whose names are nearly the same."""
+"""Two ends of one type whose names are nearly the same, and of which one or both have nobody else to connect to."""
 
 from __future__ import annotations
 
@@ -75,9 +75,11 @@ def _is_open(node: SystemNode) -> bool:
 
 
 def _lonely(channels: tuple[Channel, ...], unknown: tuple[End, ...]) -> Iterator[tuple[Channel, Channel]]:
-    """Pairs of one that only gives and one that only takes, of the same type and nearly the same name.
+    """Pairs of one that gives and one that only takes, of the same type and nearly the same name.
 
-    Names that instances of one program share are reported by namespace-leak. No end of an *unknown* name may be the partner of either.
+    The one that gives has no taker either, or the names differ by a slip of the pen: a taker that is left out is seen, a giver that nobody
+    takes from is common. Names that instances of one program share are reported by namespace-leak. No end of an *unknown* name may be the
+    partner of either.
     """
     givers: dict[str, list[Channel]] = {}
     takers: list[Channel] = []
@@ -91,14 +93,14 @@ def _lonely(channels: tuple[Channel, ...], unknown: tuple[End, ...]) -> Iterator
             for end in unknown
         ):
             continue
-        if not channel.takers and len({end.location for end in channel.givers}) == len(channel.givers):
+        if channel.givers and len({end.location for end in channel.givers}) == len(channel.givers):
             givers.setdefault(channel.types[0], []).append(channel)
         elif channel.takers and not channel.givers:
             takers.append(channel)
     for taker in takers:
         alike = givers.get(taker.types[0], [])
         for giver in alike if len(alike) <= MOST else ():
-            if is_moved(giver.name, taker.name) or _is_misspelt(giver.name, taker.name):
+            if (not giver.takers and is_moved(giver.name, taker.name)) or _is_misspelt(giver.name, taker.name):
                 yield giver, taker
 
 
@@ -157,7 +159,13 @@ def _finding(found: list[tuple[Channel, Channel, End, End]], is_open: bool) -> F
         hint = f"; {wrong.original_name} is remapped here"
     elif (wrong.raw.written or "").startswith("/") and wrong is giver:
         hint = "; the name is global in the code, so namespaces and relative remappings have no effect on it"
-    alone = "no partner is seen, and not all nodes are known" if is_open else "neither has another partner"
+    alone = (
+        "no partner is seen, and not all nodes are known"
+        if is_open
+        else f"nobody else has {taker_name}"
+        if found[0][0].takers
+        else "neither has another partner"
+    )
     return Finding(
         at=named_at(wrong),
         message=(
