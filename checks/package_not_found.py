@@ -30,6 +30,20 @@ _MACROS = {
     "add_action_files": ("actionlib_msgs",),
     "generate_dynamic_reconfigure_options": ("dynamic_reconfigure",),
 }
+#: Macros of ROS 2 and the package that defines them; one of a name that begins with *family* may bring it.
+_MACROS_OF_AMENT = {
+    **dict.fromkeys(
+        ("ament_package", "ament_target_dependencies", "ament_export_dependencies", "ament_export_targets"),
+        ("ament_cmake", "ament_"),
+    ),
+    "ament_python_install_package": ("ament_cmake_python", "ament_"),
+    "rosidl_generate_interfaces": ("rosidl_default_generators", "rosidl_"),
+    "rclcpp_components_register_node": ("rclcpp_components", "rclcpp_components"),
+    "rclcpp_components_register_nodes": ("rclcpp_components", "rclcpp_components"),
+    "pluginlib_export_plugin_description_file": ("pluginlib", "pluginlib"),
+}
+#: Those of catkin itself.
+_OF_CATKIN = frozenset(("catkin_package", "catkin_python_setup", "catkin_install_python"))
 #: What manifests name for the run of code, and whose own CMake finds no generator.
 _RUNTIME = frozenset(("message_runtime", "genpy", "rosbuild"))
 _SCOPES = frozenset(("PUBLIC", "PRIVATE", "INTERFACE", "SYSTEM"))
@@ -65,6 +79,13 @@ def _ament(package: ProjectPackage, there: frozenset[str]) -> Iterator[tuple[str
     found: dict[str, CMakeCommand] = {}
     uses: list[tuple[str, CMakeCommand]] = []
     for command in package.build.commands:
+        provider, family = _MACROS_OF_AMENT.get(command.name, ("", ""))
+        if provider and not command.is_conditional and _is_unknown_macro(package, found, provider, family):
+            message = f"{command.name}() is called without a find_package({provider}) before: CMake stops at an unknown command"
+            yield (
+                provider,
+                _made(package, command.location, provider, f"{message}; {_remedy(package, provider)}", found),
+            )
         if command.name == "find_package" and command.arguments:
             found.setdefault(command.arguments[0], command)
         elif command.name in _AUTO:
@@ -95,6 +116,15 @@ def _is_lacking(package: ProjectPackage, found: Iterable[str], name: str) -> boo
     others = {item for item in found if not item.startswith("ament_")}
     ros = {other for other in others if not _is_of_the_system(package, other)}
     return brings(package, ros, name) is False
+
+
+def _is_unknown_macro(package: ProjectPackage, found: Iterable[str], provider: str, family: str) -> bool:
+    """Whether none of the packages *found* defines what *provider* does, or may find one that does: those of build tools find others."""
+    if package.raw.build_type != "ament_cmake" or any(
+        name.startswith(family) or name.endswith(("_cmake", "_common", "_tools", "_utils")) for name in found
+    ):
+        return False
+    return all(package.project.package(name) is None for name in found) and _is_lacking(package, found, provider)
 
 
 def _is_undefined(package: ProjectPackage, found: set[str], providers: tuple[str, ...]) -> bool:
@@ -237,6 +267,11 @@ def _catkin(package: ProjectPackage) -> Iterator[tuple[str, Finding]]:
     for command in package.build.commands:
         if command.name == "find_package":
             found.update(command.arguments)
+        if command.name in _OF_CATKIN and not command.is_conditional and _lacks_catkin(package, found):
+            message = (
+                f"{command.name}() is called without a find_package(catkin) before: CMake stops at an unknown command"
+            )
+            yield "catkin", _made(package, command.location, "catkin", f"{message}; add find_package(catkin REQUIRED)")
         providers = _MACROS.get(command.name, ())
         if providers and not command.is_conditional and _is_undefined(package, found, providers):
             message = f"{command.name}() is called without a find_package() of {providers[0]} before: CMake stops at an unknown command"
@@ -257,6 +292,15 @@ def _catkin(package: ProjectPackage) -> Iterator[tuple[str, Finding]]:
                             f"{message}; add {name} to the COMPONENTS of find_package(catkin)",
                         ),
                     )
+
+
+def _lacks_catkin(package: ProjectPackage, found: set[str]) -> bool:
+    """Whether none of the packages *found* is catkin, or one that may find it: of ROS, of the workspace, or that nobody knows."""
+    if package.raw.build_type == "cmake" or any(
+        "catkin" in word for c in package.commands("include") for word in c.arguments
+    ):
+        return False
+    return "catkin" not in found and all(name != name.lower() or _is_of_the_system(package, name) for name in found)
 
 
 CHECK = Check(
