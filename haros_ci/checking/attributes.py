@@ -34,7 +34,9 @@ from haros_ci.syntax.walk import below, everything
 #: A call of something by a name of its own, whose first argument is not ``self``.
 _CALL = regex(r"(?<!\w)(\w+)\.(\w+)[ \t]*\((?!\s*self\b)")
 #: Classes that are made for others to complete them.
-_PARTIAL = regex(r"mixin|abstract|interface|base|protocol|template", re.I)
+_PARTIAL = regex(r"mixin|abstract|interface|protocol|template", re.I)
+#: So is one with this word, unless another file makes objects of it: the base may be that of a robot.
+_BASE = regex(r"base", re.I)
 _PLAIN = frozenset(("object", "abc.ABC", "ABC"))
 _DECORATORS = ("@dataclass", "@dataclasses.dataclass", "@total_ordering", "@functools.total_ordering")
 _THREAD = frozenset(
@@ -123,7 +125,7 @@ def unset_attributes(project: Project) -> Iterator[Unset]:
             continue
         if any(makes_by_name(code, path) for path in files):
             continue
-        if not _is_made(code, definition.name, is_alone=len(family) == 1):
+        if not _is_made(code, class_.owner, is_alone=len(family) == 1):
             continue
         has = set().union(*(one.has for one in family), *(_KNOWN.get(name, frozenset()) for name in libraries))
         if "__init__" not in has:
@@ -300,12 +302,15 @@ def _is_plain(code: Codebase, owner: Owner) -> bool:
     return not (before.startswith("@") or before == ")") or before.startswith(_DECORATORS)
 
 
-def _is_made(code: Codebase, name: str, *, is_alone: bool) -> bool:
+def _is_made(code: Codebase, owner: Owner, *, is_alone: bool) -> bool:
     """Whether code of the workspace makes objects of the class, or of a subclass; one for others to complete is not said to be."""
     if not is_alone:
         return True
-    short = name.rpartition(".")[2]
-    return _PARTIAL.search(short) is None and any(short in called_in(code, path) for path in code.mentioning(short))
+    short = owner[1].name.rpartition(".")[2]
+    if _PARTIAL.search(short) is not None:
+        return False
+    makers = (path for path in code.mentioning(short) if short in called_in(code, path))
+    return any(_BASE.search(short) is None or path != owner[0].path for path in makers)
 
 
 def _place(code: Codebase, routine: Routine, name: str) -> Location:
