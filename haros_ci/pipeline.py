@@ -221,7 +221,7 @@ def examine(
         )
     runs = (own_one, *with_metrics(raw))
     aside, again = list[Result](), list[Result]()
-    every = drop_unfounded(results_of(runs), workspace.text)
+    every = drop_unfounded(results_of(runs), workspace.text, workspace)
     results = without_hints(selected(every, selection, workspace, left, aside), every, workspace, selection)
     named = with_names(results, workspace, selection)
     refuted = (result for run in runs for result in run.refuted)

@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 
 from haros_ci.linters.catalogue.same_defect import SAME_DEFECT
+from haros_ci.model.workspace import Workspace
 from haros_ci.regex import regex
 from haros_ci.results.code_alone import code_alone
 from haros_ci.results.result import Result
@@ -56,12 +57,28 @@ def merge_same_defects(
     return tuple(merged.get(i, result) for i, result in enumerate(found) if i not in dropped)
 
 
-def drop_unfounded(results: Iterable[Result], text: Callable[[str], str]) -> tuple[Result, ...]:
-    """*results* without names that pylint calls undefined in a file with a wildcard import; *text* reads a path."""
+def drop_unfounded(
+    results: Iterable[Result], text: Callable[[str], str], workspace: Workspace | None = None
+) -> tuple[Result, ...]:
+    """*results* without names that pylint calls undefined in a file with a wildcard import that may bring them; *text* reads a path.
+
+    Without a *workspace* each wildcard import may bring any name.
+    """
     found = tuple(results)
     paths = {result.location.path for result in found if result.full_id == _UNFOUNDED}
     blind = {path for path in paths if _WILDCARD.search(code_alone(text(path), "python"))}
-    return tuple(r for r in found if r.full_id != _UNFOUNDED or r.location.path not in blind)
+
+    def is_unfounded(result: Result) -> bool:
+        if result.full_id != _UNFOUNDED or result.location.path not in blind:
+            return False
+        name = _QUOTED.search(result.message)
+        if name is None or workspace is None:
+            return True
+        from haros_ci.linters.star_imports import may_bring
+
+        return may_bring(name[2], text(result.location.path), workspace)
+
+    return tuple(result for result in found if not is_unfounded(result))
 
 
 def _groups(

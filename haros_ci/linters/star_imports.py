@@ -9,11 +9,27 @@ import re
 import sys
 from collections.abc import Iterable, Iterator
 
+from haros_ci.knowledge.knowledge import knowledge
 from haros_ci.linters.pylint_idioms import nodes
 from haros_ci.model.workspace import Workspace
+from haros_ci.regex import regex
 
 #: Modules that are followed from one star import.
 _MOST = 20
+#: Modules of the standard library of which pylint knows every name.
+_KNOWN = frozenset(
+    "collections copy datetime enum functools itertools math os random socket struct sys threading time typing".split()
+)
+_INTERFACES = regex(r"(\w+)\.(?:msg|srv|action)\Z")
+_DEFINITIONS = (".msg", ".srv", ".action")
+#: What the modules that genpy and rosidl write import themselves, and so bring.
+_OF_GENERATED = frozenset(
+    "array codecs collections genpy itertools math numbers numpy os python3 rosidl_parser struct sys traceback".split()
+)
+#: What they call the classes that they make of one service or action.
+_OF_PARTS = regex(
+    r"_?(?:Request|Response|Event|Goal|Result|Feedback|SendGoal|GetResult|FeedbackMessage|Action(?:Goal|Result|Feedback)?)\Z"
+)
 #: What makes a module of compiled code: macros and functions of pybind11, nanobind, Boost.Python and Python itself, and their functions for CMake and setuptools.
 _COMPILED = r"(?:PYBIND11_MODULE|PYBIND11_PLUGIN|NB_MODULE|BOOST_PYTHON_MODULE(?:_INIT)?|pybind11_add_module|nanobind_add_module|python_add_module|python3?_add_library|Extension|CMakeExtension|Pybind11Extension)\s*\(\s*['\"]?(?:[\w.]+\.)?{name}\b|\bPyInit_{name}\b"
 _COMPILING = ("cpp", "cmake", "setup", "python")
@@ -35,6 +51,33 @@ def is_of_unseen(path: str, workspace: Workspace) -> bool:
                 if other not in seen and len(seen) < _MOST:
                     seen.add(other)
                     waiting.append(other)
+    return False
+
+
+def may_bring(name: str, text: str, workspace: Workspace) -> bool:
+    """Whether a star import of the module *text* may bring *name*: of modules that make the classes of interfaces it is known what they bring.
+
+    These are the interfaces themselves, and what the generated modules import: packages whose types they use, and some of the standard library.
+    """
+    known = knowledge()
+    here = {package.name: package.path for package in workspace.packages}
+    if name in _OF_GENERATED or name in here or known.is_package(name) is not False:
+        return True
+    for level, module in _starred(text):
+        if not level and module in _KNOWN:
+            continue
+        match = _INTERFACES.match(module)
+        if level or match is None:
+            return True
+        definitions = known.interfaces(match[1])
+        if match[1] in here:
+            top = f"{here[match[1]]}/".removeprefix("./")
+            definitions = frozenset(
+                other for other in workspace.names if other.startswith(top) and other.endswith(_DEFINITIONS)
+            )
+        made = {posixpath.basename(other).partition(".")[0] for other in definitions}
+        if not made or name in made or _OF_PARTS.sub("", name) in made:
+            return True
     return False
 
 
