@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Two ends of one type in different launch files that nobody connects to, and whose names are nearly the same."""
+"""Two ends of one type in different launch files, or programs that none starts, that nobody connects to, and whose names are nearly the same."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ Ends = list[tuple[End, str]]
 
 
 def check(project: Project) -> Iterator[Finding]:
-    graph = WholeGraph(system for system in project.systems if system.is_launched)
+    graph = WholeGraph(project.systems)
     if len(graph.systems) < 2:
         return
     for giver_kind, taker_kind in (TOPIC, SERVICE, ACTION):
@@ -86,7 +86,7 @@ def _finding(givers: Ends, taken: Ends) -> Finding:
         message=(
             f"{taker.word} {taker.name} of {taker.node} ({taker_system}) and {giver.word} {giver.name} of "
             f"{giver.node} ({giver_system}) have the same type and nearly the same name, but do not connect, and no "
-            "launch file has another partner for either: use one name for both, or remap one"
+            "launch file or program has another partner for either: use one name for both, or remap one"
         ),
         about=(giver.name, taker.name),
         related=((named_at(giver), f"{giver.word} {giver.name} of {giver.node}"),),
@@ -95,7 +95,7 @@ def _finding(givers: Ends, taken: Ends) -> Finding:
 
 CHECK = Check(
     id="near-miss-elsewhere",
-    summary="Nearly equal names of a publisher and a subscriber in different launch files.",
+    summary="Nearly equal names of a publisher and a subscriber in different launch files or programs.",
     level=Level.WARNING,
     decidability=Decidability.HEURISTIC,
     tags=("names",),

@@ -42,7 +42,7 @@ def is_slip(one: str, other: str) -> bool:
         differing = [pair for pair in zip(words, others) if pair[0] != pair[1]]
         if any(frozenset(pair) in _TWINS or min(map(len, pair)) < 3 for pair in differing):
             return False
-    return _one_edit(one.lower(), other.lower())
+    return is_one_edit(one.lower(), other.lower())
 
 
 def is_moved(one: str, other: str) -> bool:
@@ -67,8 +67,8 @@ def _bare(word: str) -> str:
     return word.replace("_", "").lower()
 
 
-def _one_edit(one: str, other: str) -> bool:
-    """Whether Damerau's distance is one."""
+def is_one_edit(one: str, other: str) -> bool:
+    """Whether Damerau's distance is one: a letter too much, too few, wrong, or two swapped."""
     if abs(len(one) - len(other)) > 1:
         return False
     at = next((i for i, (a, b) in enumerate(zip(one, other)) if a != b), min(len(one), len(other)))
