@@ -140,7 +140,7 @@ from haros_ci.checking.uninstalled import (
     uninstalled,
 )
 from haros_ci.checking.unreached import unreached
-from haros_ci.checking.unread_values import unread_parameter
+from haros_ci.checking.unread_values import is_unread_argument, unread_parameter
 from haros_ci.checking.using import Using
 from haros_ci.checking.whole import repositories_named
 from haros_ci.checking.worlds import dependency_tag, serves_both
@@ -261,6 +261,7 @@ __all__ = [
     "is_for_nobody",
     "is_given_to_another",
     "is_ignored",
+    "is_unread_argument",
     "is_imported_beside",
     "is_left_out",
     "is_made_program_later",
