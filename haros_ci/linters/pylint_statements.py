@@ -15,6 +15,9 @@ from haros_ci.regex import regex
 from haros_ci.results.python_nodes import is_same
 
 _SCOPES = (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)
+_NAME = regex(r"[A-Za-z_]\w*")
+#: Characters of a line that are looked at.
+_LONGEST = 400
 _NAN = regex(r"\bnan\b", re.IGNORECASE)
 #: A field of ``str.format``; two braces are one of the text.
 _FIELD = regex(r"(?<!\{)(?:\{\{)*\{(?!\{)")
@@ -54,6 +57,38 @@ def is_counted_up(text: str, line: int) -> bool:
     )
 
 
+def has_items(text: str, line: int) -> bool:
+    """Whether the comma at the end of *line* is the last of several: who unpacks so, or lists so, means a tuple."""
+    lines = text.split("\n")
+    here = lines[line - 1][:_LONGEST].partition("#")[0].rstrip() if 0 < line <= len(lines) else ""
+    bare = re.sub(r"'[^']*'|\"[^\"]*\"", "", here)
+    for _ in range(5):
+        bare = re.sub(r"[(\[{][^()\[\]{}]*[)\]}]", "", bare)
+    return bare.rpartition("=")[2].count(",") > 1
+
+
+def is_deleted_global(text: str, line: int, column: int) -> bool:
+    """Whether the name there is a global one that one function sets and another one deletes when it is done with it (``del recorder``).
+
+    Pylint takes such a name for undefined in all functions: which of them has run before, it does not know.
+    """
+    used = _NAME.match(text.split("\n")[line - 1], column) if 0 < line <= text.count("\n") + 1 else None
+    if used is None:
+        return False
+    name, is_set, is_deleted = used[0], False, False
+    for function in nodes(text):
+        if not isinstance(function, ast.FunctionDef | ast.AsyncFunctionDef):
+            continue
+        own = [*_own(function)]
+        if any(isinstance(node, ast.Global) and name in node.names for node in own):
+            uses = [node.ctx for node in own if isinstance(node, ast.Name) and node.id == name]
+            is_set = is_set or (
+                any(isinstance(use, ast.Store) for use in uses) and not any(isinstance(use, ast.Del) for use in uses)
+            )
+            is_deleted = is_deleted or any(isinstance(use, ast.Del) for use in uses)
+    return is_set and is_deleted
+
+
 def _own(scope: ast.AST) -> Iterator[ast.AST]:
     """What is in *scope*, and in no function or class in it."""
     waiting = [*ast.iter_child_nodes(scope)]
@@ -62,6 +97,14 @@ def _own(scope: ast.AST) -> Iterator[ast.AST]:
         if not isinstance(node, _SCOPES):
             yield node
             waiting += ast.iter_child_nodes(node)
+
+
+def is_stop_on_condition(text: str, line: int) -> bool:
+    """Whether the call at *line* ends a block of calls that stands under a test alone (``if np.any(np.isnan(q)): breakpoint()``): what should not be is waited for."""
+    for node in nodes(text):
+        if isinstance(node, ast.If) and node.body[-1].lineno == line and not isinstance(node.test, ast.Constant):
+            return all(isinstance(inner, ast.Expr) and isinstance(inner.value, ast.Call) for inner in node.body)
+    return False
 
 
 def is_text(text: str, line: int) -> bool:

@@ -266,6 +266,64 @@ def refuted(rule: str, text: str, at: str) -> bool:
     return is_refuted(rule, before.count("\n") + 1, len(before) - before.rfind("\n") - 1, text)
 
 
+DELETED = """def on_mode(data):
+    global recorder, state
+    if data.mode == 'stop':
+        recorder.stop()
+        del recorder
+    elif state == 0:
+        recorder = Recorder(data.file)
+
+def on_change(data):
+    global recorder
+    recorder = Recorder(data.file, 'a')
+"""
+STOP = "import numpy as np\n\ndef f(q):\n    if np.any(np.isnan(q)):\n        breakpoint()\n    return q\n"
+REFUTED += [
+    ("undefined-variable", DELETED, "recorder.stop"),
+    (
+        "undefined-variable",
+        DELETED.replace("    elif state == 0:\n        recorder = Recorder(data.file)\n", ""),
+        "recorder.stop",
+    ),
+    ("forgotten-debug-statement", STOP, "breakpoint"),
+    ("forgotten-debug-statement", STOP.replace("breakpoint", "print(q)\n        breakpoint"), "breakpoint"),
+    ("forgotten-debug-statement", STOP.replace("breakpoint()", "breakpoint()  # for debugging"), "breakpoint"),
+    (
+        "forgotten-debug-statement",
+        STOP.replace("    return", "    elif q:\n        pdb.set_trace()\n    return"),
+        "pdb.set",
+    ),
+]
+STANDS += [
+    ("undefined-variable", DELETED.replace("        del recorder\n", ""), "recorder.stop"),
+    ("undefined-variable", DELETED.replace("    global recorder\n", ""), "recorder.stop"),
+    (
+        "undefined-variable",
+        DELETED.replace("    recorder = Recorder(data.file, 'a')", "    use(recorder)"),
+        "recorder.stop",
+    ),
+    ("undefined-variable", DELETED.replace("global recorder, state", "global state"), "recorder.stop"),
+    ("undefined-variable", DELETED.replace("    global recorder\n    recorder =", "    recorder ="), "recorder.stop"),
+    ("undefined-variable", DELETED, "Recorder(data.file)"),
+    ("forgotten-debug-statement", "def f(q):\n    breakpoint()\n    return q\n", "breakpoint"),
+    (
+        "forgotten-debug-statement",
+        STOP.replace("        breakpoint()", "        q = 1\n        breakpoint()"),
+        "breakpoint",
+    ),
+    ("forgotten-debug-statement", STOP.replace("breakpoint()", "import pdb; pdb.set_trace()"), "pdb.set"),
+    ("forgotten-debug-statement", STOP.replace("breakpoint()", "breakpoint()\n        q = 1"), "breakpoint"),
+    ("forgotten-debug-statement", STOP.replace("np.any(np.isnan(q))", "True"), "breakpoint"),
+    (
+        "forgotten-debug-statement",
+        STOP.replace("    return q", "    else:\n        q = 1\n        breakpoint()"),
+        "breakpoint",
+    ),
+    ("forgotten-debug-statement", "for q in v:\n    breakpoint()\n", "breakpoint"),
+]
+
+
 @pytest.mark.parametrize(("rule", "text", "at"), REFUTED)
 def test_refuted(rule: str, text: str, at: str) -> None:
     assert refuted(rule, text, at)
