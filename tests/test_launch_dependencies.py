@@ -210,3 +210,18 @@ def test_what_a_command_runs_is_declared(tmp_path: Path) -> None:
     package = PACKAGE.replace("<export>", "<exec_depend>xacro</exec_depend><export>")
     files = {"package.xml": package, "launch/a.launch.py": DESCRIBED.format('["xacro ", model]')}
     assert not results(files, tmp_path)
+
+
+def test_packages_inside_a_package(tmp_path: Path) -> None:
+    """colcon and catkin_make look for no package inside a package: what is there has a manifest of its own."""
+    inner = {
+        "models/arm/package.xml": PACKAGE.replace(">demo<", ">arm<"),
+        "models/arm/launch/b.launch.xml": nodes("joy"),
+    }
+    assert not results({"launch/a.launch.xml": nodes("demo"), **inner}, tmp_path / "a")
+    (result,) = results({"launch/a.launch.xml": nodes("turtlesim"), **inner}, tmp_path / "b")
+    assert result.subject == ("demo", "turtlesim")
+    (result,) = results({"launch/a.launch.xml": nodes("joy"), **inner}, tmp_path / "c")
+    assert [each.location.path for each in result.related] == ["launch/a.launch.xml"]
+    (result,) = results({"models/arm/launch/b.launch.xml": nodes("joy")}, tmp_path / "d")
+    assert result.subject == ("demo", "joy")
