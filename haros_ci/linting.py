@@ -46,6 +46,7 @@ OF_CODE = frozenset(
         "method-defined-twice",
         "missing-argument",
         "undefined-attribute",
+        "undefined-field",
         "undefined-name",
         "wrong-format-arguments",
     )

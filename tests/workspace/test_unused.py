@@ -117,6 +117,8 @@ FIRES_PYTHON = [
     ("demo/old/walk_on.py", {"demo/old/walk_on.py": NODE, "go.py": "from demo.walk_on import main\n"}),
     ("demo/old/walk_on.py", {"demo/old/walk_on.py": NODE, "README.md": "Run demo/walk_on.py\n"}),
     ("demo/old/walk_on.py", {"demo/old/walk_on.py": NODE, "go.py": "self.walk_on()\n"}),
+    ("demo/old/CBF.py", {"demo/old/CBF.py": NODE, "README.md": "with the CBF-enabled control\n"}),
+    ("demo/old/Walk.py", {"demo/old/Walk.py": NODE, "go.py": "class Walk:\n    pass\n"}),
     ("demo/old/walk_on.py", {"demo/old/walk_on.py": NODE, "go.py": "import pkgutil\n"}),
     ("demo/old/walk_on.py", {"demo/old/walk_on.py": NODE, "go.py": "import pkgutil\npkgutil.get_data('a', 'b')\n"}),
     ("demo/pick-backup2.py", {"demo/pick-backup2.py": "#!/usr/bin/env python3\n" + NODE, "demo/pick.py": NODE}),
@@ -219,6 +221,8 @@ QUIET_PYTHON = [
         },
     ),
     ("archive/pick.py", {"archive/pick.py": NODE, "walk.py": "from archive.pick import main\n"}),
+    ("demo/old/CBF.py", {"demo/old/CBF.py": NODE, "go.py": "from demo.old.CBF import CBF\n"}),
+    ("demo/old/CBF.py", {"demo/old/CBF.py": NODE, "README.md": "python3 old/CBF.py\n"}),
     ("archive/conftest.py", {"archive/conftest.py": NODE}),
     *(
         ("demo/old/walk_on.py", {"demo/old/walk_on.py": NODE, "go.py": text})
