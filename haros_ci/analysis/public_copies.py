@@ -21,6 +21,7 @@ from haros_ci.records import dataclass
 from haros_ci.regex import regex
 from haros_ci.workspace.third_party import around
 
+_LICENCE = regex(r"(?:licen[cs]e|copying)(?:\.(?:txt|md|rst))?", re.IGNORECASE)
 _PERSON = regex(r"<(?:maintainer|author)\b([^<>]{0,300})>([^<>]{0,300})<")
 _REMARK = regex(r"<!--.*?(?:-->|\Z)", re.DOTALL)
 _MAIL = regex(r"email\s*=\s*[\"']([^\"'<>]{1,200})[\"']")
@@ -63,6 +64,13 @@ _NOBODY = regex(
 )
 #: The version of templates: nothing that was released has it.
 _UNRELEASED = ("", "0.0.0")
+#: So many people with addresses of their own has the manifest of no template: it may be one of a repository that makes releases elsewhere.
+_MANY_PEOPLE = 3
+#: Addresses of anybody, which tell no organisation.
+_OF_ANYBODY = regex(
+    r"(?:g(?:oogle)?mail|hotmail|outlook|live|msn|yahoo|icloud|me|mac|aol|gmx|web|proton(?:mail)?|pm|yandex|mail|qq|1[26]3|foxmail|sina|naver|hanmail|daum|kakao"
+    r"|users\.noreply\.github|noreply\.github|github|todo|example)\.[\w.]+"
+)
 #: Versions that packages have by chance, and directories that are no stack.
 _USUAL = (*_UNRELEASED, "0.0.1", "0.1.0", "1.0.0")
 _TOP = ("", "src")
@@ -122,7 +130,9 @@ def _copies(workspace: Workspace) -> tuple[frozenset[str], frozenset[str]]:
 def _public(workspace: Workspace) -> list[Package]:
     """The packages that would be copies of public ones if they are by others than the team."""
     public = [package for package in workspace.packages if _may_be_public(package, workspace)]
-    return [*public, *(package for package in workspace.packages if _is_of_a_stack(package, public, workspace))]
+    stacks = [package for package in workspace.packages if _is_of_a_stack(package, public, workspace)]
+    in_repositories = _in_repositories(public, workspace)
+    return [*public, *stacks, *(package for package in in_repositories if package not in stacks)]
 
 
 @dataclass(frozen=True, slots=True)
@@ -159,7 +169,8 @@ def _may_be_public(package: Package, workspace: Workspace) -> bool:
     if _is_archived(package.path) or _is_of_a_maker(package, workspace):
         return True
     is_package = knowledge().is_package
-    return package.version not in _UNRELEASED and (
+    is_released = package.version not in _UNRELEASED or len(_addresses(_people(package, workspace))) >= _MANY_PEOPLE
+    return is_released and (
         is_package(package.name) is True
         or any(is_package(name) is True for name in {*_PAGE.findall(_manifest(package, workspace))} - _OF_TEMPLATES)
     )
@@ -186,6 +197,38 @@ def _is_of_a_stack(package: Package, public: Iterable[Package], workspace: Works
         and not by.isdisjoint(_people(other, workspace))
         for other in public
     )
+
+
+def _in_repositories(public: Sequence[Package], workspace: Workspace) -> list[Package]:
+    """The packages in one directory with a *public* one, which has a licence of its own as a repository has, by people of the same organisation, whom no package elsewhere names.
+
+    A repository that is cloned into a workspace often has packages, too, that no distribution has: plug-ins, tests, what is new in it.
+    """
+    by_stack: dict[str, list[Package]] = {}
+    for package in workspace.packages:
+        by_stack.setdefault(package.path.rpartition("/")[0], []).append(package)
+    licensed = {path.rpartition("/")[0] for path in workspace.names if _LICENCE.fullmatch(path.rpartition("/")[2])}
+    organisations = {package.path: _organisations(_people(package, workspace)) for package in workspace.packages}
+    found: list[Package] = []
+    for stack in sorted({package.path.rpartition("/")[0] for package in public}):
+        if stack not in licensed or stack.rpartition("/")[2] in _TOP:
+            continue
+        inside = by_stack[stack]
+        of_public = frozenset[str]().union(*(organisations[package.path] for package in inside if package in public))
+        outside = (organisations[package.path] for package in workspace.packages if package not in inside)
+        owners = of_public.difference(*outside)
+        found += (one for one in inside if one not in public and not owners.isdisjoint(organisations[one.path]))
+    return found
+
+
+def _addresses(people: Iterable[str]) -> frozenset[str]:
+    return frozenset(word for word in people if "@" in word)
+
+
+def _organisations(people: Iterable[str]) -> frozenset[str]:
+    """What addresses say of where people work: what is behind the ``@``, but for those that anybody may have."""
+    places = (address.rpartition("@")[2] for address in _addresses(people))
+    return frozenset(place for place in places if place and _OF_ANYBODY.fullmatch(place) is None)
 
 
 def _manifest(package: Package, workspace: Workspace) -> str:

@@ -109,6 +109,48 @@ QUIET = [
 ]
 
 
+EVA_OF_LASERS, MAX = ("Eva Kant", "eva@lasers.org"), ("Max Moritz", "max.moritz@gmail.com")
+URG = {"src/urg/urg_node": LASER, "src/urg/bridge": ("urg_bridge", (EVA_OF_LASERS,), "0.0.0")}
+#: Packages of one repository: what lies beside a public one, the files of the repository, and what is a copy.
+REPOSITORIES = [
+    ({**OWN, **URG}, "src/urg/LICENSE", {"src/urg"}),
+    ({**OWN, **URG}, "src/urg/license.md", {"src/urg"}),
+    ({**OWN, **URG}, "src/urg/README.md", set()),
+    ({**OWN, **URG}, "src/LICENSE", set()),
+    ({**OWN, **URG}, "src/urg/bridge/LICENSE", set()),
+    ({**OWN, **URG, "src/urg/bridge": ("urg_bridge", (ADA,), "0.0.0")}, "src/urg/LICENSE", set()),
+    ({**OWN, **URG, "src/urg/bridge": ("bridge_of_ours", (MAX,), "0.0.0")}, "src/urg/LICENSE", {"src/urg/urg_node"}),
+    ({**OWN, **URG, "src/urg/bridge": ("bridge_of_ours", (TODO,), "0.0.0")}, "src/urg/LICENSE", {"src/urg/urg_node"}),
+    ({**OWN, **URG, "src/more": ("arm_more", (EVA_OF_LASERS,), "0.0.0")}, "src/urg/LICENSE", set()),
+    ({**OWN, "src/urg_node": LASER, "src/bridge": ("urg_bridge", (EVA_OF_LASERS,), "0.0.0")}, "src/LICENSE", set()),
+    (URG, "src/urg/LICENSE", set()),
+]
+
+
+@pytest.mark.parametrize(("packages", "file", "expected"), REPOSITORIES)
+def test_packages_of_one_repository(
+    packages: dict[str, tuple[str, tuple[tuple[str, str], ...], str]], file: str, expected: set[str], tmp_path: Path
+) -> None:
+    (tmp_path / file).parent.mkdir(parents=True)
+    (tmp_path / file).write_text("BSD\n")
+    assert found(tmp_path, packages) == expected
+
+
+@pytest.mark.parametrize(
+    ("people", "expected"),
+    [
+        ((GRETE, EVA_OF_LASERS, MAX), {"src/urg_node"}),
+        ((GRETE, EVA_OF_LASERS), set()),
+        ((GRETE, EVA_OF_LASERS, TODO), set()),
+        ((GRETE, EVA_OF_LASERS, ADA), set()),
+    ],
+)
+def test_a_version_of_templates_with_many_people(
+    people: tuple[tuple[str, str], ...], expected: set[str], tmp_path: Path
+) -> None:
+    assert found(tmp_path, {**OWN, "src/urg_node": ("urg_node", people, "0.0.0")}) == expected
+
+
 def test_the_people_of_a_template_are_nobody(tmp_path: Path) -> None:
     """catkin_create_pkg leaves an author in a comment, in the manifest of a copy and in that of one's own package."""
     jane = '<!-- <author email="jane.doe@example.com">Jane Doe</author> --><license>'
