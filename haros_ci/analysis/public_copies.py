@@ -52,6 +52,10 @@ _MAKERS = tuple(
         (r"ublox_msg_filters", r"@dataspeedinc\.com"),
         (r"(?:xarm|uf)_\w+", r"@ufactory\.cc"),
         (r"phantom_omni", r"@danepowell\.com"),
+        (r"ros2_control_demo_\w+|ros2_control_test_nodes", r"@stoglrobotics\.|bence\.magyar"),
+        (r"ur_\w+", r"@fzi\.de|@universal-robots\.com"),
+        (r"ndt_omp|fast_gicp|hdl_\w+", r"koide@|k\.koide@"),
+        (r"joy_tester|articubot_one", r"josh\.newans@gmail\.com"),
         (r"wit_(?:ros_imu|ros2?_driver|node)", r"@wit-motion\.com"),
     )
 )
@@ -64,8 +68,6 @@ _NOBODY = regex(
 )
 #: The version of templates: nothing that was released has it.
 _UNRELEASED = ("", "0.0.0")
-#: So many people with addresses of their own has the manifest of no template: it may be one of a repository that makes releases elsewhere.
-_MANY_PEOPLE = 3
 #: Addresses of anybody, which tell no organisation.
 _OF_ANYBODY = regex(
     r"(?:g(?:oogle)?mail|hotmail|outlook|live|msn|yahoo|icloud|me|mac|aol|gmx|web|proton(?:mail)?|pm|yandex|mail|qq|1[26]3|foxmail|sina|naver|hanmail|daum|kakao"
@@ -169,8 +171,7 @@ def _may_be_public(package: Package, workspace: Workspace) -> bool:
     if _is_archived(package.path) or _is_of_a_maker(package, workspace):
         return True
     is_package = knowledge().is_package
-    is_released = package.version not in _UNRELEASED or len(_addresses(_people(package, workspace))) >= _MANY_PEOPLE
-    return is_released and (
+    return package.version not in _UNRELEASED and (
         is_package(package.name) is True
         or any(is_package(name) is True for name in {*_PAGE.findall(_manifest(package, workspace))} - _OF_TEMPLATES)
     )
@@ -221,13 +222,9 @@ def _in_repositories(public: Sequence[Package], workspace: Workspace) -> list[Pa
     return found
 
 
-def _addresses(people: Iterable[str]) -> frozenset[str]:
-    return frozenset(word for word in people if "@" in word)
-
-
 def _organisations(people: Iterable[str]) -> frozenset[str]:
     """What addresses say of where people work: what is behind the ``@``, but for those that anybody may have."""
-    places = (address.rpartition("@")[2] for address in _addresses(people))
+    places = (word.rpartition("@")[2] for word in people if "@" in word)
     return frozenset(place for place in places if place and _OF_ANYBODY.fullmatch(place) is None)
 
 

@@ -68,7 +68,7 @@ def has_items(text: str, line: int) -> bool:
 
 
 def is_deleted_global(text: str, line: int, column: int) -> bool:
-    """Whether the name there is a global one that one function sets and another one deletes when it is done with it (``del recorder``).
+    """Whether the name there is a global one that functions set, and delete when they are done with it (``del recorder``).
 
     Pylint takes such a name for undefined in all functions: which of them has run before, it does not know.
     """
@@ -82,9 +82,7 @@ def is_deleted_global(text: str, line: int, column: int) -> bool:
         own = [*_own(function)]
         if any(isinstance(node, ast.Global) and name in node.names for node in own):
             uses = [node.ctx for node in own if isinstance(node, ast.Name) and node.id == name]
-            is_set = is_set or (
-                any(isinstance(use, ast.Store) for use in uses) and not any(isinstance(use, ast.Del) for use in uses)
-            )
+            is_set = is_set or any(isinstance(use, ast.Store) for use in uses)
             is_deleted = is_deleted or any(isinstance(use, ast.Del) for use in uses)
     return is_set and is_deleted
 

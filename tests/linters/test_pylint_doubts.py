@@ -286,6 +286,7 @@ REFUTED += [
         DELETED.replace("    elif state == 0:\n        recorder = Recorder(data.file)\n", ""),
         "recorder.stop",
     ),
+    ("undefined-variable", DELETED.replace("    global recorder\n    recorder =", "    recorder ="), "recorder.stop"),
     ("forgotten-debug-statement", STOP, "breakpoint"),
     ("forgotten-debug-statement", STOP.replace("breakpoint", "print(q)\n        breakpoint"), "breakpoint"),
     ("forgotten-debug-statement", STOP.replace("breakpoint()", "breakpoint()  # for debugging"), "breakpoint"),
@@ -297,14 +298,12 @@ REFUTED += [
 ]
 STANDS += [
     ("undefined-variable", DELETED.replace("        del recorder\n", ""), "recorder.stop"),
-    ("undefined-variable", DELETED.replace("    global recorder\n", ""), "recorder.stop"),
     (
         "undefined-variable",
-        DELETED.replace("    recorder = Recorder(data.file, 'a')", "    use(recorder)"),
+        DELETED.replace("recorder = Recorder(data.file", "use(recorder"),
         "recorder.stop",
     ),
     ("undefined-variable", DELETED.replace("global recorder, state", "global state"), "recorder.stop"),
-    ("undefined-variable", DELETED.replace("    global recorder\n    recorder =", "    recorder ="), "recorder.stop"),
     ("undefined-variable", DELETED, "Recorder(data.file)"),
     ("forgotten-debug-statement", "def f(q):\n    breakpoint()\n    return q\n", "breakpoint"),
     (
