@@ -48,6 +48,7 @@ OF_CODE = frozenset(
         "undefined-attribute",
         "undefined-field",
         "undefined-name",
+        "wrong-field-value",
         "wrong-format-arguments",
     )
 )

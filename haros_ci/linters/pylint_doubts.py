@@ -35,6 +35,7 @@ from haros_ci.linters.pylint_statements import (
     is_index_of_array,
     is_of_another,
     is_one_text,
+    is_product,
     is_stop_on_condition,
     is_surplus,
     is_test_for_nan,
@@ -121,7 +122,7 @@ def is_refuted(rule: str, line: int, column: int, text: str) -> bool:  # noqa: C
     Comments and texts refute nothing, but for comments that say what is meant: that a name is kept, that a test is for NaN.
     """
     code = code_alone(text, "python")
-    if rule in _OF_VALUES and takes_value(text, line):
+    if rule in _OF_VALUES and (takes_value(text, line) or is_product(code, line, column)):
         return True
     if rule in _OF_CALLS and is_to_fail(text, line):
         return True

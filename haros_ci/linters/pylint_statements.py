@@ -16,6 +16,10 @@ from haros_ci.results.python_nodes import is_same
 
 _SCOPES = (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)
 _NAME = regex(r"[A-Za-z_]\w*")
+#: An operand; what NumPy 2 declares as functions that return their own arguments, as C does the work.
+_OPERAND = regex(r"[-+~ \t(]*([A-Za-z_]\w*(?:\.\w+)*)")
+_PRODUCT = regex(r"\b([A-Za-z_]\w*)[ \t]*=[ \t]*\w+\.(?:inner|vdot)[ \t]*\(")
+_OF_PRODUCT = regex(r"\w+\.(?:inner|vdot)")
 #: Characters of a line that are looked at.
 _LONGEST = 400
 _NAN = regex(r"\bnan\b", re.IGNORECASE)
@@ -103,6 +107,16 @@ def is_stop_on_condition(text: str, line: int) -> bool:
         if isinstance(node, ast.If) and node.body[-1].lineno == line and not isinstance(node.test, ast.Constant):
             return all(isinstance(inner, ast.Expr) and isinstance(inner.value, ast.Call) for inner in node.body)
     return False
+
+
+def is_product(text: str, line: int, column: int) -> bool:
+    """Whether what stands there is a product of NumPy's inner() or vdot(), which pylint takes for the pair of its arguments (astroid knows the other functions)."""
+    lines = text.split("\n")
+    used = _OPERAND.match(lines[line - 1][column : column + _LONGEST]) if 0 < line <= len(lines) else None
+    if used is None:
+        return False
+    name = used[1].partition(".")[0]
+    return _OF_PRODUCT.fullmatch(used[1]) is not None or any(found[1] == name for found in _PRODUCT.finditer(text))
 
 
 def is_text(text: str, line: int) -> bool:

@@ -155,12 +155,13 @@ def _is_python2(path: str, workspace: Workspace) -> bool:
 
 
 def _has_old_yaml(path: str, workspace: Workspace) -> bool:
-    """Whether the file at *path* is of a package of ROS 1: load() of its last distribution's PyYAML, 5.3 (REP 3), takes no Loader, and only warns.
+    """Whether the file at *path* is of a package of ROS 1, or of none among such: load() of its last distribution's PyYAML, 5.3 (REP 3), takes no Loader, and only warns.
 
     Where requirements for pip name PyYAML, another one may be there.
     """
     name = workspace.package_finder()(path)
-    if not any(package.name == name and package.ros == 1 for package in workspace.packages):
+    around = [package for package in workspace.packages if name is None or package.name == name]
+    if not around or any(package.ros != 1 for package in around):
         return False
     pages = (name for name in workspace.names if _REQUIREMENTS.search(name))
     return not any(re.search(r"(?i)\bpyyaml\b", workspace.text(page)) for page in pages)

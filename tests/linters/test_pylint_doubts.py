@@ -278,6 +278,27 @@ def on_change(data):
     global recorder
     recorder = Recorder(data.file, 'a')
 """
+PRODUCT = "import numpy as np\n\ndef f(a, b):\n    length = np.inner(a, b)\n    return -length\n"
+REFUTED += [
+    ("invalid-unary-operand-type", PRODUCT, "-length"),
+    ("invalid-unary-operand-type", PRODUCT.replace("inner", "vdot"), "-length"),
+    ("invalid-unary-operand-type", "import numpy as np\nx = -np.inner(a, b)\n", "-np"),
+    ("unsupported-assignment-operation", PRODUCT.replace("return -length", "length[0] = 1"), "length[0]"),
+    ("invalid-sequence-index", PRODUCT.replace("return -length", "return length[1:, 2]"), "length[1"),
+]
+STANDS += [
+    ("invalid-unary-operand-type", PRODUCT.replace("np.inner(a, b)", "(a, b)"), "-length"),
+    ("invalid-unary-operand-type", PRODUCT.replace("return -length", "return -other"), "-other"),
+    ("invalid-unary-operand-type", PRODUCT.replace("length = np.inner", "lengths = np.inner"), "-length"),
+    ("invalid-unary-operand-type", PRODUCT.replace("np.inner(a, b)", "np.unravel_index(a, b)"), "-length"),
+    (
+        "invalid-unary-operand-type",
+        PRODUCT.replace("    length", "    # length = np.inner(a, b)\n    length").replace(
+            "= np.inner(a, b)\n    r", "= (a, b)\n    r"
+        ),
+        "-length",
+    ),
+]
 STOP = "import numpy as np\n\ndef f(q):\n    if np.any(np.isnan(q)):\n        breakpoint()\n    return q\n"
 REFUTED += [
     ("undefined-variable", DELETED, "recorder.stop"),

@@ -72,6 +72,10 @@ def test_a_source_that_may_be_compiled(tmp_path: Path, files: dict[str, str]) ->
     assert not unused(tmp_path, "src/trial.cpp", files)
 
 
+TRIALS = {
+    "src/sandbox/package.xml": MANIFEST.replace("demo", "sandbox"),
+    "src/demo/package.xml": MANIFEST,
+}
 FIRES_PYTHON = [
     ("demo/pick_old.py", {"demo/pick_old.py": NODE, "demo/pick.py": NODE, "demo/__init__.py": ""}),
     ("demo/draft.py", {"demo/draft.py": NODE}),
@@ -83,6 +87,11 @@ FIRES_PYTHON = [
     (
         "demo/pick copy.py",
         {"demo/pick copy.py": NODE, "demo/pick.py": "import importlib\nimportlib.import_module(name)\n"},
+    ),
+    ("src/sandbox/src/pick.py", {"src/sandbox/src/pick.py": NODE, **TRIALS}),
+    (
+        "src/sandbox/src/pick.py",
+        {"src/sandbox/src/pick.py": NODE, "src/sandbox/src/walk.py": "import pick\n", **TRIALS},
     ),
     ("demo/pick copy 2.py", {"demo/pick copy 2.py": NODE, "demo/pick.py": NODE}),
     ("demo/pick - Copy (2).py", {"demo/pick - Copy (2).py": NODE, "demo/pick.py": NODE}),
@@ -221,6 +230,13 @@ QUIET_PYTHON = [
         },
     ),
     ("archive/pick.py", {"archive/pick.py": NODE, "walk.py": "from archive.pick import main\n"}),
+    ("src/sandbox/a.py", {"src/sandbox/a.py": NODE, "package.xml": MANIFEST.replace("demo", "sandbox")}),
+    ("src/sandbox/pick.py", {"src/sandbox/pick.py": NODE, **TRIALS, "src/demo/a.launch": "<node type='pick.py'/>\n"}),
+    (
+        "src/sandbox/pick.py",
+        {"src/sandbox/pick.py": NODE, **TRIALS, "src/sandbox/CMakeLists.txt": "install(PROGRAMS pick.py)\n"},
+    ),
+    ("src/demo/pick.py", {"src/demo/pick.py": NODE, **TRIALS}),
     ("demo/old/CBF.py", {"demo/old/CBF.py": NODE, "go.py": "from demo.old.CBF import CBF\n"}),
     ("demo/old/CBF.py", {"demo/old/CBF.py": NODE, "README.md": "python3 old/CBF.py\n"}),
     ("archive/conftest.py", {"archive/conftest.py": NODE}),
