@@ -17,7 +17,7 @@ from haros_ci.api import (
     listed,
     spelled_out,
 )
-from haros_ci.api.launch import PackageUse, included_by, is_optional, owner, said_by
+from haros_ci.api.launch import PackageUse, included_by, is_nested, is_optional, owner, said_by
 from haros_ci.api.packages import (
     Leftovers,
     Package,
@@ -137,20 +137,9 @@ def _used(systems: Iterable[System]) -> Mapping[str, tuple[Package, dict[str, li
                 continue
             seen.add(place)
             package = owner(system, use.location)
-            if package is not None and package.name != use.package and not _is_nested(use, package, system):
+            if package is not None and package.name != use.package and not is_nested(use.location, package, system):
                 found.setdefault(package.name, (package, {}))[1].setdefault(use.package, []).append(use)
     return found
-
-
-def _is_nested(use: PackageUse, package: Package, system: System) -> bool:
-    """Whether the launch file lies in a directory inside *package* that has a manifest of its own: no build finds it there, and it is that manifest's concern."""
-    names = system.workspace.names if system.workspace is not None else frozenset[str]()
-    folder = use.location.path.rpartition("/")[0]
-    while folder and folder != package.path:
-        if f"{folder}/package.xml" in names:
-            return True
-        folder = folder.rpartition("/")[0]
-    return False
 
 
 def _declarable(name: str, packages: Iterable[str], system: System) -> frozenset[str]:

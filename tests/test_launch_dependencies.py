@@ -225,3 +225,17 @@ def test_packages_inside_a_package(tmp_path: Path) -> None:
     assert [each.location.path for each in result.related] == ["launch/a.launch.xml"]
     (result,) = results({"models/arm/launch/b.launch.xml": nodes("joy")}, tmp_path / "d")
     assert result.subject == ("demo", "joy")
+
+
+def test_an_unread_argument_of_a_package_inside_a_package(tmp_path: Path) -> None:
+    check = next(check for check in checks() if check.id == "unused-launch-argument")
+    launch = '<launch>\n  <arg name="rate" default="10"/>\n  <node pkg="demo" exec="n"/>\n</launch>\n'
+    files = {
+        "package.xml": PACKAGE,
+        "CMakeLists.txt": CMAKE.format("install(DIRECTORY launch models DESTINATION share/demo)"),
+        "models/arm/package.xml": PACKAGE.replace(">demo<", ">arm<"),
+        "models/arm/launch/a.launch.xml": launch,
+        "launch/b.launch.xml": launch,
+    }
+    found = {one.location.path: one.level for one in said(check, Example("", True, files), tmp_path)}
+    assert found == {"models/arm/launch/a.launch.xml": Level.NOTE, "launch/b.launch.xml": Level.WARNING}
