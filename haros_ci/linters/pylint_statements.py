@@ -43,9 +43,9 @@ def gives_names(text: str) -> bool:
 
 
 def is_counted_up(text: str, line: int) -> bool:
-    """Whether a name is changed there (``total += 1``) that a loop above it, of the same function, sets.
+    """Whether a name is changed there (``total += 1``) that a branch or loop above it, of the same function, sets.
 
-    Pylint takes it for undefined if the loop sets it under a condition, and says nothing of the same name where it is read.
+    Pylint takes it for undefined if it is set under a condition, and says nothing of the same name where it is read.
     """
     found = [node for node in nodes(text) if isinstance(node, ast.AugAssign) and node.lineno == line]
     if len(found) != 1 or not isinstance(found[0].target, ast.Name):
@@ -53,11 +53,14 @@ def is_counted_up(text: str, line: int) -> bool:
     name, scopes_of_all = found[0].target.id, [node for node in nodes(text) if isinstance(node, _SCOPES)]
     around = [scope for scope in scopes_of_all if scope.lineno <= line <= (scope.end_lineno or 0)]
     scope = max(around, key=lambda scope: scope.lineno, default=next(iter(nodes(text))))
+    changed = {id(node.target) for node in _own(scope) if isinstance(node, ast.AugAssign)}
     return any(
-        isinstance(inner, ast.Name) and inner.id == name and isinstance(inner.ctx, ast.Store)
-        for loop in _own(scope)
-        if isinstance(loop, ast.For | ast.While) and (loop.end_lineno or line) < line
-        for inner in _own(loop)
+        isinstance(inner, ast.Name)
+        and inner.id == name
+        and isinstance(inner.ctx, ast.Store)
+        and inner.lineno < line
+        and id(inner) not in changed
+        for inner in _own(scope)
     )
 
 

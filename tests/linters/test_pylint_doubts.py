@@ -278,6 +278,19 @@ def on_change(data):
     global recorder
     recorder = Recorder(data.file, 'a')
 """
+CHOSEN = "if source == 'a':\n    pos = 1\nelif source == 'b':\n    pos = 2\n\npos += 3\n"
+REFUTED += [
+    ("undefined-variable", CHOSEN, "pos += 3"),
+    ("undefined-variable", CHOSEN.replace("elif source == 'b':\n    pos = 2\n", ""), "pos += 3"),
+    ("undefined-variable", CHOSEN.replace("pos = 2", "(pos, x) = 2, 3"), "pos += 3"),
+    ("undefined-variable", "try:\n    pos = int(a)\nexcept ValueError:\n    pass\npos -= 1\n", "pos -= 1"),
+]
+STANDS += [
+    ("undefined-variable", "pos += 3\n" + CHOSEN.replace("pos += 3\n", ""), "pos += 3"),
+    ("undefined-variable", CHOSEN.replace("pos = ", "pos += "), "pos += 3"),
+    ("undefined-variable", CHOSEN.replace("pos += 3", "def f():\n    pos += 3"), "pos += 3"),
+    ("undefined-variable", CHOSEN.replace("pos = ", "self.pos = "), "pos += 3"),
+]
 PRODUCT = "import numpy as np\n\ndef f(a, b):\n    length = np.inner(a, b)\n    return -length\n"
 REFUTED += [
     ("invalid-unary-operand-type", PRODUCT, "-length"),
