@@ -10,6 +10,7 @@ from collections.abc import Iterable
 from haros_ci.linters.class_methods import CLASS, method_at
 from haros_ci.linters.decorated import is_call_of_decorated
 from haros_ci.linters.exercises import is_exercise
+from haros_ci.linters.modules_twice import is_of_another
 from haros_ci.linters.python2 import imports_future, is_of_python2, names_python3
 from haros_ci.linters.star_imports import is_of_unseen
 from haros_ci.linters.uncalled import is_uncalled
@@ -81,6 +82,7 @@ def is_refuted_around(result: Result, workspace: Workspace) -> bool:
         _is_of_library(result, line, workspace)
         or is_call_of_decorated(result, workspace)
         or is_uncalled(result.location.path, line, workspace)
+        or is_of_another(result, workspace)
     ):
         return True
     return result.rule in _OF_MODULES and _is_shadowed(result, line, workspace)
