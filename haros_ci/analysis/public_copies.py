@@ -56,6 +56,16 @@ _MAKERS = tuple(
         (r"ur_\w+", r"@fzi\.de|@universal-robots\.com"),
         (r"ndt_omp|fast_gicp|hdl_\w+", r"koide@|k\.koide@"),
         (r"joy_tester|articubot_one", r"josh\.newans@gmail\.com"),
+        (
+            r"kindr(?:_\w+)?|elevation_mapping(?:_\w+)?|any_\w+|grid_map\w*|message_logger|multi_dof_\w+|param_io|point_cloud_io|signal_handler",
+            r"@anybotics\.com|@ethz\.ch",
+        ),
+        (r"fast_lio", r"@livoxtech\.com|zhangji@cmu\.edu"),
+        (r"bspline_\w+|path_searching|plan_(?:env|manage)|ego_planner|traj_utils", r"iszhouxin@zju\.edu\.cn"),
+        (r"btcpp_ros2_\w+|behaviortree_ros2", r"davide\.faconti@"),
+        (r"vectornav(?:_msgs)?", r"dereck@gmail\.com|@vectornav\.com"),
+        (r"vicon_bridge", r"devansh@umich\.edu|achtelik@"),
+        (r"airsim_\w+", r"ratneshmadaan@"),
         (r"wit_(?:ros_imu|ros2?_driver|node)", r"@wit-motion\.com"),
     )
 )

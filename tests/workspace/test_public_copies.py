@@ -70,6 +70,8 @@ FIRES += [
         {**OWN, "src/example_2": ("ros2_control_demo_example_2", (("D", "d.s@stoglrobotics.de"),), "0.0.0")},
         {"src/example_2"},
     ),
+    ({**OWN, "src/kindr": ("kindr_ros", (("R", "r.d@anybotics.com"),), "0.3.0")}, {"src/kindr"}),
+    ({**OWN, "src/airsim": ("airsim_ros_pkgs", (("R", "ratneshmadaan@gmail.com"),), "0.0.1")}, {"src/airsim"}),
     ({**OWN, "src/omni": ("phantom_omni", (("Dane", "git@danepowell.com"),), "1.0.0")}, {"src/omni"}),
 ]
 EVA = ("Eva Kant", "eva@lasers.org")
@@ -77,6 +79,8 @@ ASSISTANT = ("MoveIt Setup Assistant", "assistant@moveit.ros.org")
 QUIET = [
     {**OWN, "src/gripper": ("robotiq_of_ours", (GRETE,), "1.0.0")},  # the name alone
     {**OWN, "src/ur": ("ur_of_ours", (GRETE,), "1.0.0")},
+    {**OWN, "src/fast_lio": ("fast_lio", (GRETE,), "0.0.0")},
+    {**OWN, "src/any": ("arm_of_any", (("R", "r.d@anybotics.com"),), "0.3.0")},
     {**OWN, "src/example": ("ros2_control_demo_of_ours", (GRETE,), "0.0.0")},
     {**OWN, "src/lidar": ("lidar_of_ours", (("LDROBOT", "support@ldrobot.com"),), "3.0.2")},  # the maker alone
     # one of the people of a released package has a part in one that is no copy, as its name says
