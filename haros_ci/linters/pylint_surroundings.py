@@ -34,7 +34,7 @@ _OF_PYTHON3 = frozenset(
 _OF_SIGNATURES = frozenset(
     "missing-kwoa no-value-for-parameter redundant-keyword-arg too-many-function-args unexpected-keyword-arg".split()
 )
-_APART = frozenset(("import-self", "no-self-argument", "syntax-error", "undefined-all-variable"))
+_APART = frozenset(("bad-super-call", "import-self", "no-self-argument", "syntax-error", "undefined-all-variable"))
 #: An alias of typing, which no version of Python is said to remove; ByteString is to go.
 _ALIAS = regex(r"\bclass (?!ByteString\b)\w+ of module typing\b")
 _PYTHON2 = regex(r"#![^\n]*\bpython2")
@@ -64,6 +64,7 @@ _EXPORTS = regex(r"^__all__\b", re.MULTILINE)
 _MOST_FILES = 300
 _MOST_FILES_OF_ALL = 1000
 _NAME = regex(r"[A-Za-z_]\w*")
+_OWNER = regex(r"[ \t]*class[ \t]+(\w+)")
 _LONGEST = 400
 
 
@@ -101,6 +102,8 @@ def _is_refuted_apart(result: Result, line: int, workspace: Workspace) -> bool:
     """The same for the rules that are _APART: one thing alone refutes each."""
     if result.rule == "no-self-argument":
         return _is_helper(line, workspace.text(result.location.path), workspace)
+    if result.rule == "bad-super-call":
+        return _is_of_leaf(line, result, workspace)
     if result.rule == "import-self":
         return _is_of_another_module(result.location.path, line, workspace)
     if result.rule == "syntax-error":
@@ -109,6 +112,20 @@ def _is_refuted_apart(result: Result, line: int, workspace: Workspace) -> bool:
             _TABS in result.message and _is_python2_around(path, workspace)
         )
     return _is_starred(result, workspace) or is_of_unseen(result.location.path, workspace)
+
+
+def _is_of_leaf(line: int, result: Result, workspace: Workspace) -> bool:
+    """Whether ``super(type(self), self)`` stands in a class that no class of the workspace inherits: of a subclass it would call itself for ever."""
+    lines = workspace.text(result.location.path).split("\n")
+    above = (_OWNER.match(text) for text in reversed(lines[:line]))
+    name = next((found[1] for found in above if found is not None), "") if "'type'" in result.message else ""
+    if not name:
+        return False
+    inherits = re.compile(rf"^[ \t]*class[ \t]+\w+[ \t]*\([^()\n]{{0,{_LONGEST}}}\b{name}\b", re.MULTILINE)
+    files = [file.path for file in workspace.files if file.language == "python"]
+    return len(files) <= _MOST_FILES_OF_ALL and not any(
+        name in text and inherits.search(text) for text in map(workspace.text, files)
+    )
 
 
 def _is_of_another_module(path: str, line: int, workspace: Workspace) -> bool:
