@@ -239,3 +239,18 @@ def test_an_unread_argument_of_a_package_inside_a_package(tmp_path: Path) -> Non
     }
     found = {one.location.path: one.level for one in said(check, Example("", True, files), tmp_path)}
     assert found == {"models/arm/launch/a.launch.xml": Level.NOTE, "launch/b.launch.xml": Level.WARNING}
+
+
+def test_two_recorders(tmp_path: Path) -> None:
+    check = next(check for check in checks() if check.id == "duplicate-node-name")
+    for number, (command, expected) in enumerate(
+        (("ros2 bag record -o {} /scan", [Level.NOTE]), ("ros2 run turtlesim turtlesim_node {}", [Level.WARNING]))
+    ):
+        lines = "".join(f'  <executable cmd="{command.format(name)}"/>\n' for name in ("a", "b"))
+        files = {
+            "package.xml": PACKAGE,
+            "CMakeLists.txt": CMAKE.format("install(DIRECTORY launch DESTINATION share/demo)"),
+            "launch/a.launch.xml": f"<launch>\n{lines}</launch>\n",
+        }
+        found = said(check, Example("", True, files), tmp_path / str(number))
+        assert [one.level for one in found] == expected

@@ -28,7 +28,7 @@ _LOADER = regex(r"argument 'Loader'")
 #: What later versions of Python say alone; an index is no fraction where Python 2 divides whole numbers.
 _OF_PYTHON3 = frozenset(
     "invalid-sequence-index invalid-slice-index anomalous-backslash-in-string deprecated-argument deprecated-attribute deprecated-class deprecated-decorator deprecated-method"
-    " deprecated-module".split()
+    " deprecated-module used-prior-global-declaration".split()
 )
 #: What pylint says of a call by the signature that the installed version of a library has.
 _OF_SIGNATURES = frozenset(
