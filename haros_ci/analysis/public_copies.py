@@ -66,6 +66,7 @@ _MAKERS = tuple(
         (r"vectornav(?:_msgs)?", r"dereck@gmail\.com|@vectornav\.com"),
         (r"vicon_bridge", r"devansh@umich\.edu|achtelik@"),
         (r"airsim_\w+", r"ratneshmadaan@"),
+        (r"gem_\w+", r"hangcui1201@"),
         (r"wit_(?:ros_imu|ros2?_driver|node)", r"@wit-motion\.com"),
     )
 )

@@ -402,7 +402,7 @@ def test_constants_that_cppcheck_takes_for_negative_ones(number: str, expected: 
         ("smooth && !(fast) && slow", False),
     ],
 )
-def test_switches_that_are_set_by_hand(condition: str, expected: bool) -> None:
+def test_conditions_that_join_two_switches(condition: str, expected: bool) -> None:
     message = f"Logical conjunction always evaluates to false: {condition}."
     assert is_refuted("incorrectLogicOperator", message, 1, "if (smooth && !fast) {\n") is expected
 
