@@ -151,11 +151,11 @@ class Unused(Judged):
         return posixpath.basename(file.path) in _OF_BUILDS and _directory(file.path) in self._homes
 
     def _naming(self, file: SourceFile, stem: str) -> str:
-        """The pattern of what names *file*: its *stem* as a word, but one word (``controller``, ``CBF``) of an archived file as a module or a file alone."""
+        """The pattern of what names *file*: its *stem* as a word, but one word (``controller``, ``CBF``) of a file that is set aside as a module or a file alone."""
         name = mention(file.path, stem)
         if file.language == "cmake":
             return rf"\badd_subdirectory\s*\([^()]{{0,300}}(?<!\w){re.escape(stem)}(?!\w)"
-        if is_archived(file.path) and stem.isalpha():
+        if self._is_set_aside(file) and stem.isalnum():
             return (
                 rf"(?m){name}\.py(?!\w)|(?:(?<=[\"'/])|(?<=\w\.)){name}[:\"']|^[ \t]*{name}[ \t]*,?[ \t]*$"
                 rf"|\bimport[ \t(][^\n]{{0,200}}?{name}|\bfrom[ \t]+[\w.]{{0,200}}?{name}"

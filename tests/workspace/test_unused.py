@@ -96,6 +96,10 @@ FIRES_PYTHON = [
         "src/sandbox/src/pick.py",
         {"src/sandbox/src/pick.py": NODE, "src/sandbox/src/walk.py": "import pick\n", **TRIALS},
     ),
+    (
+        "src/sandbox/go2dock.py",
+        {"src/sandbox/go2dock.py": NODE, **TRIALS, "src/demo/a.py": "rospy.Publisher('/go2dock/x', A)\ngo2dock = 1\n"},
+    ),
     ("demo/pick copy 2.py", {"demo/pick copy 2.py": NODE, "demo/pick.py": NODE}),
     ("demo/pick - Copy (2).py", {"demo/pick - Copy (2).py": NODE, "demo/pick.py": NODE}),
     ("demo/pick (1).py", {"demo/pick (1).py": NODE, "demo/pick.py": NODE}),
