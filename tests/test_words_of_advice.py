@@ -289,3 +289,31 @@ rclpy.spin(node)
     }
     (message,) = messages("qos-contradiction", files, tmp_path)
     assert words in message
+
+
+@pytest.mark.parametrize(
+    ("more", "words"),
+    [
+        ({}, "add <exec_depend>python3-serial</exec_depend>"),
+        ({"serial/tests/try_serial.py": "import os\n"}, "add <exec_depend>python3-serial</exec_depend>"),
+        ({"serial/src/serial/__init__.py": ""}, "add <exec_depend>serial</exec_depend>"),
+        ({"serial/setup.py": "from setuptools import setup\nsetup(packages=['serial'])\n"}, "<exec_depend>serial<"),
+        ({"serial/msg/Line.msg": "int32 a\n"}, "<exec_depend>serial<"),
+        (
+            {"serial/CMakeLists.txt": CATKIN.format("serial", "pybind11_add_module(serial src/a.cpp)")},
+            "_depend>serial<",
+        ),
+    ],
+)
+def test_a_driver_that_is_called_like_a_module(more: dict[str, str], words: str, tmp_path: Path) -> None:
+    files = {
+        "demo/package.xml": MANIFEST.format("demo", ROS1),
+        "demo/CMakeLists.txt": CATKIN.format("demo", "install(PROGRAMS node.py DESTINATION lib/demo)"),
+        "demo/node.py": "#!/usr/bin/env python3\nimport serial\n\nserial.Serial('/dev/ttyUSB0').read()\n",
+        "serial/package.xml": MANIFEST.format("serial", ROS1),
+        "serial/CMakeLists.txt": CATKIN.format("serial", "add_library(serial src/serial.cpp)"),
+        "serial/src/serial.cpp": "int serial() { return 0; }\n",
+        **more,
+    }
+    found = [message for message in messages("undeclared-import", files, tmp_path) if "serial" in message]
+    assert len(found) == 1 and words in found[0], found

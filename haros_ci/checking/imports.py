@@ -113,12 +113,20 @@ def _providers(module: str, package: ProjectPackage, sources: Sources) -> frozen
     return names | {module}
 
 
+#: Directories of a package that are no modules of it.
+_BESIDE = regex(r"^(?:build|docs?|examples?|tests?)/")
+
+
 def _may_have_modules(package: ProjectPackage) -> bool:
     """Whether *package* has Python, interfaces, or a build that may make modules of C++: a driver in C++ that is called ``serial`` is no module ``serial``."""
     texts = (package.project.text(file.path) for file in package.files if file.language in ("cmake", "setup"))
     return bool(
         package.build.interfaces
-        or any(file.language in ("python", "setup") for file in package.files)
+        or any(file.language == "setup" for file in package.files)
+        or any(
+            file.language == "python" and _BESIDE.search(file.path[len(package.inside("")) :]) is None
+            for file in package.files
+        )
         or any(EXTENSIONS.search(text) for text in texts)
     )
 
