@@ -302,13 +302,6 @@ OTHERS: tuple[SilencingRow, ...] = (
         SettingOrigin.BASE,
         "tests/test_script_not_runnable.py::test_files_of_dynamic_reconfigure",
     ),
-    SilencingRow(
-        OWN,
-        ("three comments `# TODO` in a script, beside a program of its name in C++",),
-        "script-not-runnable of that script is a note",
-        SettingOrigin.HEAD,
-        "tests/checking/test_left_to_write.py::test_a_template_beside_its_solution",
-    ),
     *(SilencingRow(OWN, files, what, SettingOrigin.HEAD, test) for files, what, test in CHANGE),
     *(SilencingRow("all tools", files, what, SettingOrigin.NEVER, test) for files, what, test in FIRST_LOOK),
     SilencingRow(
