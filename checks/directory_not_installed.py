@@ -18,6 +18,7 @@ from haros_ci.api.packages import (
     install_line,
     install_place,
     installs_nothing,
+    lacks_interface,
     landings,
     left_out_on_purpose,
     lost_plugins,
@@ -206,6 +207,7 @@ def _headers(package: ProjectPackage, devel: DevelSpaces) -> Iterator[Finding]:
     """An exported include directory that is not installed."""
     root = package.inside("include")
     headers = [file.path for file in package.files if file.path.startswith(f"{root}/") and file.path.endswith(_HEADERS)]
+    headers = [path for path in headers if not lacks_interface(path, package)]
     if not headers or _is_made(package, "include/") or (package.ros == 1 and installs_nothing(package)):
         return  # of ROS 1 what installs nothing at all is built for its devel space
     exports = [

@@ -20,6 +20,8 @@ _ENDING = {
 _ASKING = frozenset(("clients", "action_clients"))
 #: Ends of a node that only has parameters.
 _OF_PARAMETERS = frozenset(("parameters", "getters", "setters"))
+#: What `ros2 bag record` runs as: nobody talks to a recorder by its name.
+_RECORDER = "ros2bag/record"
 _PARAMETER_FILE = (".yaml", ".yml")
 _KEY = regex(r"([ \t]*)([\"']?)([^\s\"'#:][^\"'#:]{0,200})\2[ \t]*:")
 
@@ -144,7 +146,11 @@ def _finding(
         message=f"two nodes are named {second.name}{kinds}: {effect}; {todo}; {other}",
         about=(first, second),
         related=((first.location, f"the other {first.name}"),),
-        level=Level.ERROR if second.ros == 1 else Level.NOTE if is_meant else None,
+        level=Level.ERROR
+        if second.ros == 1
+        else Level.NOTE
+        if is_meant or first.type == second.type == _RECORDER
+        else None,
     )
 
 

@@ -3,9 +3,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
-from haros_ci.api import Check, Finding, Fix, Level, Project, ProjectPackage, regex
+from haros_ci.api import Check, Finding, Fix, Level, Project, ProjectPackage, dataclass, regex, spelled_out
 from haros_ci.api.packages import (
     BUILD,
     EXPORTED,
@@ -116,26 +116,42 @@ def _parts(package: ProjectPackage, call: CMakeCommand, ros: int) -> Iterator[Fi
     generators, runtimes = PARTS[ros]
     if package.name in (*generators, *runtimes):
         return
-    declared = {need.name for need in needs(package)}
-    if not declared & set(generators):
-        is_missing = reaches(package, (*BUILD, *EXPORTED), *generators) is False
-        kind = "buildtool_depend" if ros == 2 else "build_depend"
-        yield _missing(
-            package,
-            call,
-            generators[0],
-            kind,
-            "on a machine with only the declared dependencies the generator is missing",
-            Level.ERROR if is_missing else Level.WARNING,
-        )
-    if _makes_some(package) and not {need.name for need in needs(package, *EXPORTED)} & {*runtimes, *generators}:
-        effect, level = "on a machine with only the declared dependencies its interfaces may not load", Level.WARNING
-        bringing = next(
-            (need.name for need in needs(package, *EXPORTED) if brings(package, (need.name,), *runtimes)), None
-        )
-        if bringing is not None:
-            effect, level = f"it is there only because {bringing} brings it", Level.NOTE
-        yield _missing(package, call, runtimes[0], "exec_depend", effect, level)
+    made, runtime = _generator(package, ros), _runtime(package, ros)
+    if made is not None:
+        yield _missing(package, call, (made, runtime) if runtime is not None else (made,))
+    elif runtime is not None:
+        yield _missing(package, call, (runtime,))
+
+
+@dataclass(frozen=True, slots=True)
+class _Part:
+    """A dependency *name* that is missing, of this *kind*, and what comes of it."""
+
+    name: str
+    kind: str
+    effect: str
+    level: Level
+
+
+def _generator(package: ProjectPackage, ros: int) -> _Part | None:
+    generators, _ = PARTS[ros]
+    if {need.name for need in needs(package)} & {*generators}:
+        return None
+    is_missing = reaches(package, (*BUILD, *EXPORTED), *generators) is False
+    effect = "on a machine with only the declared dependencies the generator is missing"
+    kind = "buildtool_depend" if ros == 2 else "build_depend"
+    return _Part(generators[0], kind, effect, Level.ERROR if is_missing else Level.WARNING)
+
+
+def _runtime(package: ProjectPackage, ros: int) -> _Part | None:
+    generators, runtimes = PARTS[ros]
+    if not _makes_some(package) or {need.name for need in needs(package, *EXPORTED)} & {*runtimes, *generators}:
+        return None
+    effect, level = "on a machine with only the declared dependencies its interfaces may not load", Level.WARNING
+    bringing = next((need.name for need in needs(package, *EXPORTED) if brings(package, (need.name,), *runtimes)), None)
+    if bringing is not None:
+        effect, level = f"it is there only because {bringing} brings it", Level.NOTE
+    return _Part(runtimes[0], "exec_depend", effect, level)
 
 
 def _makes_some(package: ProjectPackage) -> bool:
@@ -143,21 +159,34 @@ def _makes_some(package: ProjectPackage) -> bool:
     return bool(package.build.interfaces or package.commands(*LISTS))
 
 
-def _missing(package: ProjectPackage, call: CMakeCommand, name: str, kind: str, effect: str, level: Level) -> Finding:
-    kind = {"exec_depend": "run_depend"}.get(kind, kind) if package.raw.format == 1 else kind
-    fix = add_dependency(package, kind, name)
+def _missing(package: ProjectPackage, call: CMakeCommand, parts: Sequence[_Part]) -> Finding:
+    """One finding for what is missing: the generator, what its interfaces run with, or both; what comes of the first is said."""
+    first, *_ = parts
+    renamed = {"exec_depend": "run_depend"} if package.raw.format == 1 else {}
+    kinds = [(renamed.get(part.kind, part.kind), part.name) for part in parts]
+    fixes = [add_dependency(package, kind, name) for kind, name in kinds]
+    names = tuple(name for _, name in kinds)
+    tags = spelled_out([dependency_tags(package, kind, name) for kind, name in kinds])
     does, at, advice = "generates interfaces", "interfaces are generated here", "add"
     if not _makes_some(package):
         does, at, advice = f"calls {call.name}() without an interface", "it is called here", "remove the call, or add"
     return Finding(
         at=place(package, None),
-        message=f"{package} {does}, but does not depend on {name}: {effect}; {advice} {dependency_tags(package, kind, name)}{said_misplaced(package, (name,))}",
-        about=(package.name, name),
+        message=f"{package} {does}, but does not depend on {spelled_out(names)}: {first.effect}; {advice} {tags}{said_misplaced(package, names)}",
+        about=(package.name, first.name),
         related=((call.location, at),),
-        fixes=() if fix is None else (fix,),
-        level=level,
-        apart=(name,),
+        fixes=_together(fixes),
+        level=first.level,
+        apart=(first.name,),
     )
+
+
+def _together(fixes: Sequence[Fix | None]) -> tuple[Fix, ...]:
+    """One fix that makes the edits of all; none where one cannot be made."""
+    made = [fix for fix in fixes if fix is not None]
+    if len(made) < len(fixes):
+        return ()
+    return (Fix("; ".join(fix.description for fix in made), tuple(edit for fix in made for edit in fix.edits)),)
 
 
 CHECK = Check(

@@ -151,7 +151,8 @@ def _generates_nothing(package: ProjectPackage) -> bool:
 def _alone(interface: Interface, package: ProjectPackage, use: Location) -> Finding:
     """A definition in a package that generates none."""
     elsewhere, base = _elsewhere(interface, package, use), interface.name.partition("/")[2]
-    how = "add_message_files() and generate_messages()" if package.ros == 1 else f"{_NEW}()"
+    lists = next((name for name, kind in _OLD.items() if kind == interface.kind), "add_message_files")
+    how = f"{lists}() and generate_messages()" if package.ros == 1 else f"{_NEW}()"
     return Finding(
         at=Location(interface.path, 1),
         message=(

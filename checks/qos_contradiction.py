@@ -51,7 +51,16 @@ def _not_kept(end: End, qos: Qos, system: System) -> Iterator[str]:
             publisher.qos is None or publisher.qos.reliability != "reliable" for publisher in publishers
         ):
             return
-    yield "what transient local keeps for late subscribers is sent again with reliable delivery only; make it reliable"
+    what = "what transient local keeps for late subscribers is sent again with reliable delivery only"
+    takers = [taker for topic in system.topics if end in topic.givers for _, taker in can_meet((end,), topic.takers)]
+    if (
+        end.kind == "publishers"
+        and takers
+        and all(taker.qos is not None and taker.qos.reliability == "best_effort" for taker in takers)
+    ):
+        yield f"{what}; leave out transient local, as every subscriber here asks for best effort, or make both sides reliable"
+    else:
+        yield f"{what}; make it reliable, or leave out transient local"
 
 
 def _is_of_px4(end: End) -> bool:

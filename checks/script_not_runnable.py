@@ -21,6 +21,7 @@ from haros_ci.api.packages import (
     is_made_program_later,
     is_sourced,
     is_to_be_run,
+    is_unfilled,
     paths_by_name,
     rospy_programs,
 )
@@ -231,7 +232,8 @@ def _mode(script: Installed, package: ProjectPackage, level: Level, programs: Pr
     else:
         why = _LINKED
     if script.keeps_mode or package.ros is not None:
-        yield _Bit(script.path, why, level if why is _LINKED else Level.WARNING)
+        counted = level if why is _LINKED else Level.WARNING
+        yield _Bit(script.path, why, Level.NOTE if is_unfilled(script.path, package) else counted)
 
 
 def _without_bit(package: ProjectPackage, paths: list[str], why: tuple[str, ...], level: Level) -> Finding:

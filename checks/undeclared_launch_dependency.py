@@ -17,7 +17,7 @@ from haros_ci.api import (
     listed,
     spelled_out,
 )
-from haros_ci.api.launch import PackageUse, included_by, is_optional, owner, said_by
+from haros_ci.api.launch import PackageUse, included_by, is_nested, is_optional, owner, said_by
 from haros_ci.api.packages import (
     Leftovers,
     Package,
@@ -137,7 +137,7 @@ def _used(systems: Iterable[System]) -> Mapping[str, tuple[Package, dict[str, li
                 continue
             seen.add(place)
             package = owner(system, use.location)
-            if package is not None and package.name != use.package:
+            if package is not None and package.name != use.package and not is_nested(use.location, package, system):
                 found.setdefault(package.name, (package, {}))[1].setdefault(use.package, []).append(use)
     return found
 

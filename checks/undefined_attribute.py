@@ -41,12 +41,16 @@ def _finding(unset: Unset, is_compared: bool) -> Finding:
     method = unset.routine.function.name.rpartition(".")[2]
     return Finding(
         at=unset.location,
-        message=f"{unset.owner} reads self.{unset.name}, but nothing sets or defines it: the line raises "
+        message=f"{unset.owner} {_use(unset)}, but nothing sets or defines it: the line raises "
         f"AttributeError{_like(unset, is_compared)}{'' if unset.is_reached else f' (no Python file here calls {method}())'}",
         level=None if unset.is_reached else Level.NOTE,
         about=(unset.owner, unset.name),
         apart=(unset.owner, unset.name),
     )
+
+
+def _use(unset: Unset) -> str:
+    return f"calls self.{unset.name}()" if unset.is_called else f"reads self.{unset.name}"
 
 
 def _no_node(found: list[Unset]) -> Finding:
@@ -69,7 +73,9 @@ def _like(unset: Unset, is_compared: bool) -> str:
     own = unset.routine.function.name.rpartition(".")[2]  # nobody means the method that the line is in
     known = sorted(unset.known - {own})[:MOST_NAMES] if is_compared else []
     found = get_close_matches(unset.name, known, 1, 0.75)
-    return f"; did you mean self.{found[0]}?" if found else "; set it in __init__()"
+    if found:
+        return f"; did you mean self.{found[0]}?"
+    return "; define the method, or remove the call" if unset.is_called else "; set it in __init__()"
 
 
 CHECK = Check(

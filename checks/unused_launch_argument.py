@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from difflib import get_close_matches
 
 from haros_ci.api import Check, Finding, Level, Location, System, listed, regex, spelled_out
-from haros_ci.api.launch import ArgumentDeclaration, IncludeUse, PassedArgument, included_by, meant, owner
+from haros_ci.api.launch import ArgumentDeclaration, IncludeUse, PassedArgument, included_by, is_nested, meant, owner
 
 #: A declaration is this many lines long at most.
 LINES = 12
@@ -93,7 +93,7 @@ def check(system: System) -> Iterator[Finding]:
                 apart=(argument.name,),
                 flow=included_by(argument),
                 presence=argument.presence,
-                level=Level.NOTE if is_set or _is_of_family(argument, system) else None,
+                level=Level.NOTE if is_set or _is_inside(argument, system) or _is_of_family(argument, system) else None,
             )
 
 
@@ -165,6 +165,12 @@ def _is_read_by_code(argument: ArgumentDeclaration, system: System) -> bool:
     package = owner(system, argument.location)
     file = argument.location.path.rpartition("/")[2]
     return package is not None and system.whole.launch_readers.may_read(argument.name, package.path, file)
+
+
+def _is_inside(argument: ArgumentDeclaration, system: System) -> bool:
+    """Whether the file is of a package that lies in another one, as it was taken over for its models."""
+    package = owner(system, argument.location)
+    return package is not None and is_nested(argument.location, package, system)
 
 
 def _is_of_family(argument: ArgumentDeclaration, system: System) -> bool:

@@ -46,7 +46,9 @@ OF_CODE = frozenset(
         "method-defined-twice",
         "missing-argument",
         "undefined-attribute",
+        "undefined-field",
         "undefined-name",
+        "wrong-field-value",
         "wrong-format-arguments",
     )
 )

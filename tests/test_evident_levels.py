@@ -82,7 +82,10 @@ def test_a_hint_names_what_a_base_has(tmp_path: Path) -> None:
         "        super().__init__('talker')\n        self.{}()\n\n\nrclpy.init()\nTalker()\n"
     )
     check = next(check for check in checks() if check.id == "undefined-attribute")
-    for name, hint in (("shutdown", "set it in __init__()"), ("get_loger", "did you mean self.get_logger?")):
+    for name, hint in (
+        ("shutdown", "define the method, or remove the call"),
+        ("get_loger", "did you mean self.get_logger?"),
+    ):
         files = {"package.xml": PACKAGE, "CMakeLists.txt": CMAKE.format("talker.py"), "talker.py": node.format(name)}
         (tmp_path / name).mkdir()
         assert [hint in each.message for each in said(check, Example("", True, files), tmp_path / name)] == [True]

@@ -210,3 +210,47 @@ def test_what_a_command_runs_is_declared(tmp_path: Path) -> None:
     package = PACKAGE.replace("<export>", "<exec_depend>xacro</exec_depend><export>")
     files = {"package.xml": package, "launch/a.launch.py": DESCRIBED.format('["xacro ", model]')}
     assert not results(files, tmp_path)
+
+
+def test_packages_inside_a_package(tmp_path: Path) -> None:
+    """colcon and catkin_make look for no package inside a package: what is there has a manifest of its own."""
+    inner = {
+        "models/arm/package.xml": PACKAGE.replace(">demo<", ">arm<"),
+        "models/arm/launch/b.launch.xml": nodes("joy"),
+    }
+    assert not results({"launch/a.launch.xml": nodes("demo"), **inner}, tmp_path / "a")
+    (result,) = results({"launch/a.launch.xml": nodes("turtlesim"), **inner}, tmp_path / "b")
+    assert result.subject == ("demo", "turtlesim")
+    (result,) = results({"launch/a.launch.xml": nodes("joy"), **inner}, tmp_path / "c")
+    assert [each.location.path for each in result.related] == ["launch/a.launch.xml"]
+    (result,) = results({"models/arm/launch/b.launch.xml": nodes("joy")}, tmp_path / "d")
+    assert result.subject == ("demo", "joy")
+
+
+def test_an_unread_argument_of_a_package_inside_a_package(tmp_path: Path) -> None:
+    check = next(check for check in checks() if check.id == "unused-launch-argument")
+    launch = '<launch>\n  <arg name="rate" default="10"/>\n  <node pkg="demo" exec="n"/>\n</launch>\n'
+    files = {
+        "package.xml": PACKAGE,
+        "CMakeLists.txt": CMAKE.format("install(DIRECTORY launch models DESTINATION share/demo)"),
+        "models/arm/package.xml": PACKAGE.replace(">demo<", ">arm<"),
+        "models/arm/launch/a.launch.xml": launch,
+        "launch/b.launch.xml": launch,
+    }
+    found = {one.location.path: one.level for one in said(check, Example("", True, files), tmp_path)}
+    assert found == {"models/arm/launch/a.launch.xml": Level.NOTE, "launch/b.launch.xml": Level.WARNING}
+
+
+def test_two_recorders(tmp_path: Path) -> None:
+    check = next(check for check in checks() if check.id == "duplicate-node-name")
+    for number, (command, expected) in enumerate(
+        (("ros2 bag record -o {} /scan", [Level.NOTE]), ("ros2 run turtlesim turtlesim_node {}", [Level.WARNING]))
+    ):
+        lines = "".join(f'  <executable cmd="{command.format(name)}"/>\n' for name in ("a", "b"))
+        files = {
+            "package.xml": PACKAGE,
+            "CMakeLists.txt": CMAKE.format("install(DIRECTORY launch DESTINATION share/demo)"),
+            "launch/a.launch.xml": f"<launch>\n{lines}</launch>\n",
+        }
+        found = said(check, Example("", True, files), tmp_path / str(number))
+        assert [one.level for one in found] == expected

@@ -200,3 +200,120 @@ def test_where_a_path_ends(before: str, words: str, tmp_path: Path) -> None:
     files = {"package.xml": MANIFEST.format("demo", ROS2), "src/dock.cpp": ACTION % before}
     (message,) = messages("action-without-result", files, tmp_path)
     assert words in message
+
+
+@pytest.mark.parametrize(
+    ("line", "words"),
+    [
+        (
+            "self.finish(1)",
+            "calls self.finish(), but nothing sets or defines it: the line raises AttributeError; define the method",
+        ),
+        ("self.finish()\n        self.finish()", "define the method, or remove the call"),
+        (
+            "print(self.finish)",
+            "reads self.finish, but nothing sets or defines it: the line raises AttributeError; set it in",
+        ),
+        ("print(self.finish)\n        self.finish()", "reads self.finish, but nothing"),
+        ("self.finish.run()", "set it in __init__()"),
+        ("self.finish[0]()", "set it in __init__()"),
+        ("self.speeed()", "; did you mean self.speed?"),
+    ],
+)
+def test_methods_that_nothing_defines(line: str, words: str, tmp_path: Path) -> None:
+    script = f"""#!/usr/bin/env python
+import rospy
+
+
+class Driver:
+    def __init__(self):
+        self.speed = 1
+
+    def stop_all(self):
+        {line}
+
+
+rospy.init_node('driver')
+Driver().stop_all()
+"""
+    files = {
+        "package.xml": MANIFEST.format("demo", ROS1),
+        "CMakeLists.txt": CATKIN.format("demo", INSTALL),
+        "scripts/node.py": script,
+    }
+    (message,) = messages("undefined-attribute", files, tmp_path)
+    assert words in message
+
+
+def test_the_command_that_generates_a_service(tmp_path: Path) -> None:
+    files = {
+        "package.xml": MANIFEST.format("demo", ROS1),
+        "CMakeLists.txt": CATKIN.format("demo", INSTALL),
+        "scripts/node.py": SCRIPT.replace("import rospy", "import rospy\nfrom demo.srv import Reset"),
+        "srv/Reset.srv": "---\n",
+    }
+    (message,) = messages("interface-not-generated", files, tmp_path)
+    assert message.endswith("; call add_service_files() and generate_messages()")
+
+
+@pytest.mark.parametrize(
+    ("subscription", "words"),
+    [
+        ("", "make it reliable, or leave out transient local"),
+        ("node.create_subscription(String, 'map', print, SHAKY)", "as every subscriber here asks for best effort"),
+        ("node.create_subscription(String, 'map', print, 10)", "make it reliable, or leave out transient local"),
+        ("node.create_subscription(String, 'map', print, qos_of())", "make it reliable, or leave out transient local"),
+        ("node.create_subscription(String, 'other', print, SHAKY)", "make it reliable, or leave out transient local"),
+    ],
+)
+def test_what_is_kept_and_sent_with_best_effort(subscription: str, words: str, tmp_path: Path) -> None:
+    script = f"""#!/usr/bin/env python3
+import rclpy
+from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
+from std_msgs.msg import String
+from elsewhere import qos_of
+
+KEPT = QoSProfile(depth=1, reliability=ReliabilityPolicy.BEST_EFFORT, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+SHAKY = QoSProfile(depth=1, reliability=ReliabilityPolicy.BEST_EFFORT)
+rclpy.init()
+node = rclpy.create_node('maps')
+node.create_publisher(String, 'map', KEPT)
+{subscription}
+rclpy.spin(node)
+"""
+    files = {
+        "package.xml": MANIFEST.format("demo", ROS2),
+        "CMakeLists.txt": "cmake_minimum_required(VERSION 3.8)\nproject(demo)\nfind_package(ament_cmake REQUIRED)\n"
+        "install(PROGRAMS scripts/node.py DESTINATION lib/demo)\nament_package()\n",
+        "scripts/node.py": script,
+    }
+    (message,) = messages("qos-contradiction", files, tmp_path)
+    assert words in message
+
+
+@pytest.mark.parametrize(
+    ("more", "words"),
+    [
+        ({}, "add <exec_depend>python3-serial</exec_depend>"),
+        ({"serial/tests/try_serial.py": "import os\n"}, "add <exec_depend>python3-serial</exec_depend>"),
+        ({"serial/src/serial/__init__.py": ""}, "add <exec_depend>serial</exec_depend>"),
+        ({"serial/setup.py": "from setuptools import setup\nsetup(packages=['serial'])\n"}, "<exec_depend>serial<"),
+        ({"serial/msg/Line.msg": "int32 a\n"}, "<exec_depend>serial<"),
+        (
+            {"serial/CMakeLists.txt": CATKIN.format("serial", "pybind11_add_module(serial src/a.cpp)")},
+            "_depend>serial<",
+        ),
+    ],
+)
+def test_a_driver_that_is_called_like_a_module(more: dict[str, str], words: str, tmp_path: Path) -> None:
+    files = {
+        "demo/package.xml": MANIFEST.format("demo", ROS1),
+        "demo/CMakeLists.txt": CATKIN.format("demo", "install(PROGRAMS node.py DESTINATION lib/demo)"),
+        "demo/node.py": "#!/usr/bin/env python3\nimport serial\n\nserial.Serial('/dev/ttyUSB0').read()\n",
+        "serial/package.xml": MANIFEST.format("serial", ROS1),
+        "serial/CMakeLists.txt": CATKIN.format("serial", "add_library(serial src/serial.cpp)"),
+        "serial/src/serial.cpp": "int serial() { return 0; }\n",
+        **more,
+    }
+    found = [message for message in messages("undeclared-import", files, tmp_path) if "serial" in message]
+    assert len(found) == 1 and words in found[0], found

@@ -21,6 +21,7 @@ from haros_ci.records import dataclass
 from haros_ci.regex import regex
 from haros_ci.workspace.third_party import around
 
+_LICENCE = regex(r"(?:licen[cs]e|copying)(?:\.(?:txt|md|rst))?", re.IGNORECASE)
 _PERSON = regex(r"<(?:maintainer|author)\b([^<>]{0,300})>([^<>]{0,300})<")
 _REMARK = regex(r"<!--.*?(?:-->|\Z)", re.DOTALL)
 _MAIL = regex(r"email\s*=\s*[\"']([^\"'<>]{1,200})[\"']")
@@ -51,6 +52,21 @@ _MAKERS = tuple(
         (r"ublox_msg_filters", r"@dataspeedinc\.com"),
         (r"(?:xarm|uf)_\w+", r"@ufactory\.cc"),
         (r"phantom_omni", r"@danepowell\.com"),
+        (r"ros2_control_demo_\w+|ros2_control_test_nodes", r"@stoglrobotics\.|bence\.magyar"),
+        (r"ur_\w+", r"@fzi\.de|@universal-robots\.com"),
+        (r"ndt_omp|fast_gicp|hdl_\w+", r"koide@|k\.koide@"),
+        (r"joy_tester|articubot_one", r"josh\.newans@gmail\.com"),
+        (
+            r"kindr(?:_\w+)?|elevation_mapping(?:_\w+)?|any_\w+|grid_map\w*|message_logger|multi_dof_\w+|param_io|point_cloud_io|signal_handler",
+            r"@anybotics\.com|@ethz\.ch",
+        ),
+        (r"fast_lio", r"@livoxtech\.com|zhangji@cmu\.edu"),
+        (r"bspline_\w+|path_searching|plan_(?:env|manage)|ego_planner|traj_utils", r"iszhouxin@zju\.edu\.cn"),
+        (r"btcpp_ros2_\w+|behaviortree_ros2", r"davide\.faconti@"),
+        (r"vectornav(?:_msgs)?", r"dereck@gmail\.com|@vectornav\.com"),
+        (r"vicon_bridge", r"devansh@umich\.edu|achtelik@"),
+        (r"airsim_\w+", r"ratneshmadaan@"),
+        (r"gem_\w+", r"hangcui1201@"),
         (r"wit_(?:ros_imu|ros2?_driver|node)", r"@wit-motion\.com"),
     )
 )
@@ -63,6 +79,11 @@ _NOBODY = regex(
 )
 #: The version of templates: nothing that was released has it.
 _UNRELEASED = ("", "0.0.0")
+#: Addresses of anybody, which tell no organisation.
+_OF_ANYBODY = regex(
+    r"(?:g(?:oogle)?mail|hotmail|outlook|live|msn|yahoo|icloud|me|mac|aol|gmx|web|proton(?:mail)?|pm|yandex|mail|qq|1[26]3|foxmail|sina|naver|hanmail|daum|kakao"
+    r"|users\.noreply\.github|noreply\.github|github|todo|example)\.[\w.]+"
+)
 #: Versions that packages have by chance, and directories that are no stack.
 _USUAL = (*_UNRELEASED, "0.0.1", "0.1.0", "1.0.0")
 _TOP = ("", "src")
@@ -122,7 +143,9 @@ def _copies(workspace: Workspace) -> tuple[frozenset[str], frozenset[str]]:
 def _public(workspace: Workspace) -> list[Package]:
     """The packages that would be copies of public ones if they are by others than the team."""
     public = [package for package in workspace.packages if _may_be_public(package, workspace)]
-    return [*public, *(package for package in workspace.packages if _is_of_a_stack(package, public, workspace))]
+    stacks = [package for package in workspace.packages if _is_of_a_stack(package, public, workspace)]
+    in_repositories = _in_repositories(public, workspace)
+    return [*public, *stacks, *(package for package in in_repositories if package not in stacks)]
 
 
 @dataclass(frozen=True, slots=True)
@@ -186,6 +209,34 @@ def _is_of_a_stack(package: Package, public: Iterable[Package], workspace: Works
         and not by.isdisjoint(_people(other, workspace))
         for other in public
     )
+
+
+def _in_repositories(public: Sequence[Package], workspace: Workspace) -> list[Package]:
+    """The packages in one directory with a *public* one, which has a licence of its own as a repository has, by people of the same organisation, whom no package elsewhere names.
+
+    A repository that is cloned into a workspace often has packages, too, that no distribution has: plug-ins, tests, what is new in it.
+    """
+    by_stack: dict[str, list[Package]] = {}
+    for package in workspace.packages:
+        by_stack.setdefault(package.path.rpartition("/")[0], []).append(package)
+    licensed = {path.rpartition("/")[0] for path in workspace.names if _LICENCE.fullmatch(path.rpartition("/")[2])}
+    organisations = {package.path: _organisations(_people(package, workspace)) for package in workspace.packages}
+    found: list[Package] = []
+    for stack in sorted({package.path.rpartition("/")[0] for package in public}):
+        if stack not in licensed or stack.rpartition("/")[2] in _TOP:
+            continue
+        inside = by_stack[stack]
+        of_public = frozenset[str]().union(*(organisations[package.path] for package in inside if package in public))
+        outside = (organisations[package.path] for package in workspace.packages if package not in inside)
+        owners = of_public.difference(*outside)
+        found += (one for one in inside if one not in public and not owners.isdisjoint(organisations[one.path]))
+    return found
+
+
+def _organisations(people: Iterable[str]) -> frozenset[str]:
+    """What addresses say of where people work: what is behind the ``@``, but for those that anybody may have."""
+    places = (word.rpartition("@")[2] for word in people if "@" in word)
+    return frozenset(place for place in places if place and _OF_ANYBODY.fullmatch(place) is None)
 
 
 def _manifest(package: Package, workspace: Workspace) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from haros_ci.checking.distributions import depends_on_distribution
 from haros_ci.checking.launch_edits import renamed_keyword
-from haros_ci.checking.launching import included_by, is_end_of_longer, meant, owner, said_by
+from haros_ci.checking.launching import included_by, is_end_of_longer, is_nested, meant, owner, said_by
 from haros_ci.checking.old_distributions import is_called_old, is_tried, told_of
 from haros_ci.checking.optional import is_optional
 from haros_ci.checking.yaml_texts import yaml_fault
@@ -49,6 +49,7 @@ __all__ = [
     "included_by",
     "is_end_of_longer",
     "is_called_old",
+    "is_nested",
     "is_optional",
     "is_tried",
     "may_make_program",

@@ -47,6 +47,7 @@ from haros_ci.checking.interpreted import (
     is_to_be_run,
 )
 from haros_ci.checking.known_commands import is_well_known
+from haros_ci.checking.left_to_write import is_unfilled, lacks_interface
 from haros_ci.checking.leftovers import Leftovers
 from haros_ci.checking.lookups import Lookup, lookups
 from haros_ci.checking.lost_imports import lost_imports
@@ -140,7 +141,7 @@ from haros_ci.checking.uninstalled import (
     uninstalled,
 )
 from haros_ci.checking.unreached import unreached
-from haros_ci.checking.unread_values import unread_parameter
+from haros_ci.checking.unread_values import is_unread_argument, unread_parameter
 from haros_ci.checking.using import Using
 from haros_ci.checking.whole import repositories_named
 from haros_ci.checking.worlds import dependency_tag, serves_both
@@ -261,6 +262,9 @@ __all__ = [
     "is_for_nobody",
     "is_given_to_another",
     "is_ignored",
+    "is_unfilled",
+    "is_unread_argument",
+    "lacks_interface",
     "is_imported_beside",
     "is_left_out",
     "is_made_program_later",

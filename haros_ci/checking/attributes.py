@@ -26,7 +26,7 @@ from haros_ci.checking.project import Project
 from haros_ci.code.classes import Owner, bases
 from haros_ci.code.codebase import Codebase, Routine
 from haros_ci.model.location import Location
-from haros_ci.records import dataclass
+from haros_ci.records import dataclass, field
 from haros_ci.regex import regex
 from haros_ci.syntax import Block, Expression
 from haros_ci.syntax.walk import below, everything
@@ -84,7 +84,8 @@ _KNOWN = {
 class Unset:
     """Attribute *name* of class *owner* is read at *location* in *routine*; *known* are those that it and its bases have.
 
-    *is_reached* is false where no Python file of the workspace names the method, so that nothing seems to call it.
+    *is_reached* is false where no Python file of the workspace names the method, so that nothing seems to call it. *is_called* says that
+    the class does nothing with the attribute but call it.
     """
 
     owner: str
@@ -93,6 +94,7 @@ class Unset:
     location: Location
     known: frozenset[str]
     is_reached: bool
+    is_called: bool = False
 
 
 @dataclass(slots=True)
@@ -103,6 +105,8 @@ class _Attributes:
     routines: list[Routine]
     read: dict[str, Routine]
     has: set[str]
+    #: How often an attribute is read without being called.
+    uncalled: Counter[str] = field(default_factory=Counter)
 
 
 def unset_attributes(project: Project) -> Iterator[Unset]:
@@ -138,7 +142,8 @@ def unset_attributes(project: Project) -> Iterator[Unset]:
             if name in has or name in elsewhere or is_hidden or name in asked_for(code, source.path):
                 continue
             is_reached = _is_reached(code, routine, files)
-            yield Unset(definition.name, name, routine, _place(code, routine, name), known, is_reached)
+            place = _place(code, routine, name)
+            yield Unset(definition.name, name, routine, place, known, is_reached, not class_.uncalled[name])
 
 
 def _known(above: Owner | None, name: str, classes: dict[tuple[str, str], _Attributes]) -> Set[str]:
@@ -223,8 +228,15 @@ def _add(one: _Attributes, routine: Routine) -> None:
             waiting += [*_rest(node.target), node.value]
         elif isinstance(node, syntax.Member) and isinstance(node.object, syntax.This):
             one.read.setdefault(node.name, routine)
+            one.uncalled[node.name] += 1
         else:
+            if isinstance(node, syntax.Call) and _is_own(node.callee):
+                one.uncalled[syntax.name_of(node.callee)] -= 1
             waiting += reversed(below(node))
+
+
+def _is_own(node: Expression) -> bool:
+    return isinstance(node, syntax.Member) and isinstance(node.object, syntax.This)
 
 
 def _catches(handler: syntax.Handler) -> bool:

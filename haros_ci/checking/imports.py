@@ -15,6 +15,7 @@ from haros_ci.checking.worlds import serves_both
 from haros_ci.model.launch_facts import ProgramUse
 from haros_ci.model.location import Location
 from haros_ci.regex import regex
+from haros_ci.results.module_names import EXTENSIONS
 from haros_ci.syntax import Program
 
 _IMPORT = regex(r"^(?:import[ \t]+([^#\n;]+)|from[ \t]+([\w.]+)[ \t]+import\b)", re.M)
@@ -106,7 +107,28 @@ def _providers(module: str, package: ProjectPackage, sources: Sources) -> frozen
     """The packages that have the Python *module*: of the workspace, known ones, and one of its name."""
     project = package.project
     names = frozenset(sources.modules.get(module, ())) | (project.knowledge.provider_of_module(module) or frozenset())
-    return names | {module} if project.package(module) is not None else names
+    of_name = project.package(module)
+    if of_name is None or (names - {module} and not _may_have_modules(of_name)):
+        return names if of_name is None else names - {module}
+    return names | {module}
+
+
+#: Directories of a package that are no modules of it.
+_BESIDE = regex(r"^(?:build|docs?|examples?|tests?)/")
+
+
+def _may_have_modules(package: ProjectPackage) -> bool:
+    """Whether *package* has Python, interfaces, or a build that may make modules of C++: a driver in C++ that is called ``serial`` is no module ``serial``."""
+    texts = (package.project.text(file.path) for file in package.files if file.language in ("cmake", "setup"))
+    return bool(
+        package.build.interfaces
+        or any(file.language == "setup" for file in package.files)
+        or any(
+            file.language == "python" and _BESIDE.search(file.path[len(package.inside("")) :]) is None
+            for file in package.files
+        )
+        or any(EXTENSIONS.search(text) for text in texts)
+    )
 
 
 def is_called_after(package: str, module: str) -> bool:

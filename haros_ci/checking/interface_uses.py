@@ -25,12 +25,17 @@ def interfaces_in_use(project: Project) -> dict[str, Location]:
     owners = {file.path: file.package for file in project.workspace.files}
     doubles = _doubles(project)
     loose: frozenset[str] | None = None
+    of_built: frozenset[str] | None = None
     for name, path, line in _places(project):
         if name in found or name in doubles or (path.endswith(_HEADERS) and path.rpartition("/")[2] not in included):
             continue
-        if not path.endswith((*_HEADERS, ".py")):
+        if not path.endswith(".py"):
             loose = unbuilt(project) if loose is None else loose
-            if path in loose:
+            if loose and path.endswith(_HEADERS):
+                of_built = _included(project, loose) if of_built is None else of_built
+            if path in loose or (
+                of_built is not None and path.endswith(_HEADERS) and path.rpartition("/")[2] not in of_built
+            ):
                 continue
         if path.endswith(".py"):
             owner = owners.get(path)
@@ -52,11 +57,11 @@ def _doubles(project: Project) -> frozenset[str]:
     return frozenset(name for name, all_kinds in kinds.items() if len(all_kinds) > 1)
 
 
-def _included(project: Project) -> frozenset[str]:
-    """How the headers are called that a source of the workspace includes, or a header that one includes."""
+def _included(project: Project, without: frozenset[str] = frozenset()) -> frozenset[str]:
+    """How the headers are called that a source of the workspace includes, or a header that one includes; not those of the sources *without*."""
     named: dict[str, set[str]] = {}
     for path, program in project.programs.items():
-        if program.language != "python":
+        if program.language != "python" and path not in without:
             names = {header.strip('<>"').rpartition("/")[2] for header in program.includes}
             named.setdefault(path.rpartition("/")[2] if path.endswith(_HEADERS) else "", set()).update(names)
     found: set[str] = set()

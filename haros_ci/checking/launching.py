@@ -31,6 +31,17 @@ def owner(system: System, location: Location) -> Package | None:
     return None
 
 
+def is_nested(location: Location, package: Package, system: System) -> bool:
+    """Whether the file at *location* lies in a directory inside *package*, its owner, that has a manifest of its own: no build finds a package there."""
+    names = system.workspace.names if system.workspace is not None else frozenset[str]()
+    folder = location.path.rpartition("/")[0]
+    while folder and folder != package.path:
+        if f"{folder}/package.xml" in names:
+            return True
+        folder = folder.rpartition("/")[0]
+    return False
+
+
 def said_by(use: PackageUse, system: System) -> PackageUse:
     """*use* where it is written: at the include that passes it as an argument, if the package is named there and not in the file itself."""
     if system.workspace is None or not use.included:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Arguments of launch files of ROS 1 that are given on to parameters of nodes alone, of which no code has the name: nobody reads what they say."""
+"""Arguments of launch files that nobody reads: of ROS 1 those that are given on to parameters of nodes alone, of which no code has the name."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ from weakref import WeakKeyDictionary
 
 from haros_ci.checking.system import System
 from haros_ci.checking.whole import Whole
+from haros_ci.model.launch_facts import ArgumentDeclaration
 from haros_ci.regex import regex
 
 #: Files of code that are looked at; where there are more, nothing is known.
@@ -23,6 +24,13 @@ _WORD = regex(r"[A-Za-z_]\w*")
 _COMMENT = regex(r"<!--.*?(?:-->|\Z)", re.DOTALL)
 #: What may use an argument without ``$(arg …)``.
 _OTHERWISE = regex(r"\$\(eval\b|\bpass_all_args\b")
+
+#: What launch files of ROS 2 are called, how many of them one may name, what declares an argument, and what has them all in Python.
+_FILE = regex(r"[\w.-]+")
+_LAUNCHES = (".py", ".xml", ".yaml", ".yml", ".launch")
+_MOST_NAMED = 50
+_DECLARED = regex(r"""(?:\bDeclareLaunchArgument\(\s*(?:name\s*=\s*)?|<arg\s+name\s*=\s*)["']([\w-]{1,200})["']""")
+_BY_NAME = "launch_configurations"
 
 #: The words of all code, by what is known of the whole workspace.
 _words: WeakKeyDictionary[Whole, frozenset[str]] = WeakKeyDictionary()
@@ -46,6 +54,32 @@ def unread_parameter(system: System, path: str, argument: str) -> str:
         names.add(name[1].rpartition("/")[2].lstrip("~"))
     name_of_all = names.pop() if len(names) == 1 else ""
     return name_of_all if name_of_all and not _is_in_code(system, name_of_all) else ""
+
+
+def is_unread_argument(system: System, path: str, name: str) -> bool:
+    """Whether neither the launch file of ROS 2 at *path*, which declares the argument *name*, nor a launch file that its text names reads it."""
+    if system.workspace is None:
+        return False
+    text = system.workspace.text(path)
+    declared = [fact for fact in system.facts(ArgumentDeclaration) if (fact.location.path, fact.name) == (path, name)]
+    if len(declared) != 1 or declared[0].is_used or _BY_NAME in text or _times(text, name) != 1:
+        return False
+    if all(found[1] != name for found in _DECLARED.finditer(text)):
+        return False  # a name that a variable has may be read by the variable, too
+    words = {word for word in _FILE.findall(text) if word.endswith(_LAUNCHES)}
+    named = [other for word in sorted(words) for other in system.whole.files_by_name.get(word, ()) if other != path]
+    if len(named) > _MOST_NAMED:
+        return False
+    return not any(
+        _times(other_text, name) or _BY_NAME in other_text for other_text in map(system.workspace.text, named)
+    )
+
+
+def _times(text: str, name: str) -> int:
+    """How often a launch file has the name of an argument as a text of its own, or reads it in a substitution."""
+    return sum(
+        1 for _ in re.finditer(rf"""(?<=["']){re.escape(name)}(?=["'])|\$\(var\s+{re.escape(name)}\s*\)""", text)
+    )
 
 
 def _is_of_ours(system: System, text: str, place: int) -> bool:

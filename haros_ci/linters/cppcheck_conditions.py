@@ -14,6 +14,8 @@ OF_VALUES = frozenset(
     unsignedLessThanZero unsignedPositive
     """.split()
 )
+#: ``Logical conjunction always evaluates to false: smooth && !(fast)``
+_SWITCHES = regex(r"always evaluates to (?:true|false): !?\(?([A-Za-z_]\w*)\)? (?:&&|\|\|) !?\(?([A-Za-z_]\w*)\)?\.?")
 _NUMBER = regex(r"(?<![\w.'])(?:0[xX]([0-9a-fA-F']{1,40})|([1-9][0-9']{0,40}))[uUlLzZ]{0,3}(?![\w']|\.\d)")
 _LARGEST = 2**63 - 1
 #: ``Either the condition 'step>0' is redundant or there is division by zero at line 42.``
@@ -38,6 +40,12 @@ def has_large_constant(*texts: str) -> bool:
             if digits and int(digits, 16 if number[1] else 10) > _LARGEST:
                 return True
     return False
+
+
+def is_of_switches(message: str) -> bool:
+    """Whether the condition joins two names, each with its value alone: constants that somebody sets by hand (``const bool smooth = true, fast = true;``)."""
+    found = _SWITCHES.search(message)
+    return found is not None and found.end() == len(message) and found[1] != found[2]
 
 
 def is_spelled_out(message: str, line: int, text: str) -> bool:

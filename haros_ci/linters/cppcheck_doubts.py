@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from functools import lru_cache
 
 from haros_ci.linters.constant_switches import is_switched_by_hand
-from haros_ci.linters.cppcheck_conditions import OF_VALUES, has_large_constant, is_spelled_out
+from haros_ci.linters.cppcheck_conditions import OF_VALUES, has_large_constant, is_of_switches, is_spelled_out
 from haros_ci.linters.cppcheck_lifetimes import OF_LIFETIMES, is_text_of_message, may_be_alive
 from haros_ci.linters.cppcheck_registers import OF_FIRMWARE, is_of_firmware
 from haros_ci.linters.cppcheck_uses import (
@@ -140,7 +140,7 @@ def is_refuted(rule: str, message: str, line: int, whole: str) -> bool:  # noqa:
         return _BY_NAME.search(here) is not None and _BY_ONE.search(here) is None
     if rule in OF_WAYS:
         return OF_WAYS[rule](message, line, text)
-    if rule in OF_VALUES and has_large_constant(message, _line(text, line)):
+    if rule in OF_VALUES and (has_large_constant(message, _line(text, line)) or is_of_switches(message)):
         return True
     if rule == "danglingTemporaryLifetime":
         return is_copied(line, text) or is_text_of_message(line, text)

@@ -28,11 +28,15 @@ from haros_ci.linters.pylint_idioms import (
 )
 from haros_ci.linters.pylint_statements import (
     gives_names,
+    has_items,
     is_counted_up,
+    is_deleted_global,
     is_in_description,
     is_index_of_array,
     is_of_another,
     is_one_text,
+    is_product,
+    is_stop_on_condition,
     is_surplus,
     is_test_for_nan,
     is_text,
@@ -101,6 +105,7 @@ _AT_LINE: dict[str, Callable[[str, int], bool]] = {
     "bad-super-call": is_of_another,
     "comparison-with-itself": is_test_for_nan,
     "dangerous-default-value": is_only_read,
+    "forgotten-debug-statement": is_stop_on_condition,
     "implicit-str-concat": is_one_text,
     "invalid-character-zero-width-space": is_in_description,
     "modified-iterating-dict": is_of_known_key,
@@ -117,7 +122,7 @@ def is_refuted(rule: str, line: int, column: int, text: str) -> bool:  # noqa: C
     Comments and texts refute nothing, but for comments that say what is meant: that a name is kept, that a test is for NaN.
     """
     code = code_alone(text, "python")
-    if rule in _OF_VALUES and takes_value(text, line):
+    if rule in _OF_VALUES and (takes_value(text, line) or is_product(code, line, column)):
         return True
     if rule in _OF_CALLS and is_to_fail(text, line):
         return True
@@ -146,13 +151,14 @@ def is_refuted(rule: str, line: int, column: int, text: str) -> bool:  # noqa: C
     if rule == "invalid-sequence-index":
         return is_index_of_array(text, line, column)
     if rule in ("bad-thread-instantiation", "trailing-comma-tuple"):
-        return is_placeholder(code, line) if rule == "bad-thread-instantiation" else _has_items(code, line)
+        return is_placeholder(code, line) if rule == "bad-thread-instantiation" else has_items(code, line)
     if rule == "too-many-function-args":
         return _is_of_shapes(code, line, column)
     if rule == "not-callable":
         return _is_tested(code, line, column) or is_left_to_subclasses(code, line, column)
     if rule in ("undefined-variable", "used-before-assignment"):
-        return is_counted_up(text, line) or _is_global_of_main(code, line, column)
+        is_global = _is_global_of_main(code, line, column) or is_deleted_global(text, line, column)
+        return is_global or is_counted_up(text, line)
     if rule == "possibly-used-before-assignment":
         return _is_of_main(code, line, column) or _is_module(code, line, column) or _is_of_platforms(code, line, column)
     if rule == "deprecated-module":
@@ -231,16 +237,6 @@ def _is_unwritten(text: str, line: int) -> bool:
         if bare and not bare.startswith(("#", ")")) and len(above) - len(above.lstrip()) <= indent:
             return _UNWRITTEN.match(bare) is not None
     return False
-
-
-def _has_items(text: str, line: int) -> bool:
-    """Whether the comma at the end of *line* is the last of several: who unpacks so, or lists so, means a tuple."""
-    lines = text.split("\n")
-    here = lines[line - 1][:_LONGEST].partition("#")[0].rstrip() if 0 < line <= len(lines) else ""
-    bare = re.sub(r"'[^']*'|\"[^\"]*\"", "", here)
-    for _ in range(5):
-        bare = re.sub(r"[(\[{][^()\[\]{}]*[)\]}]", "", bare)
-    return bare.rpartition("=")[2].count(",") > 1
 
 
 def _is_global_of_main(text: str, line: int, column: int) -> bool:

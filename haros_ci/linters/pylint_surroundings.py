@@ -10,6 +10,7 @@ from collections.abc import Iterable
 from haros_ci.linters.class_methods import CLASS, method_at
 from haros_ci.linters.decorated import is_call_of_decorated
 from haros_ci.linters.exercises import is_exercise
+from haros_ci.linters.modules_twice import is_of_another
 from haros_ci.linters.python2 import imports_future, is_of_python2, names_python3
 from haros_ci.linters.star_imports import is_of_unseen
 from haros_ci.linters.uncalled import is_uncalled
@@ -27,13 +28,13 @@ _LOADER = regex(r"argument 'Loader'")
 #: What later versions of Python say alone; an index is no fraction where Python 2 divides whole numbers.
 _OF_PYTHON3 = frozenset(
     "invalid-sequence-index invalid-slice-index anomalous-backslash-in-string deprecated-argument deprecated-attribute deprecated-class deprecated-decorator deprecated-method"
-    " deprecated-module".split()
+    " deprecated-module used-prior-global-declaration".split()
 )
 #: What pylint says of a call by the signature that the installed version of a library has.
 _OF_SIGNATURES = frozenset(
     "missing-kwoa no-value-for-parameter redundant-keyword-arg too-many-function-args unexpected-keyword-arg".split()
 )
-_APART = frozenset(("import-self", "no-self-argument", "syntax-error", "undefined-all-variable"))
+_APART = frozenset(("bad-super-call", "import-self", "no-self-argument", "syntax-error", "undefined-all-variable"))
 #: An alias of typing, which no version of Python is said to remove; ByteString is to go.
 _ALIAS = regex(r"\bclass (?!ByteString\b)\w+ of module typing\b")
 _PYTHON2 = regex(r"#![^\n]*\bpython2")
@@ -63,6 +64,7 @@ _EXPORTS = regex(r"^__all__\b", re.MULTILINE)
 _MOST_FILES = 300
 _MOST_FILES_OF_ALL = 1000
 _NAME = regex(r"[A-Za-z_]\w*")
+_OWNER = regex(r"[ \t]*class[ \t]+(\w+)")
 _LONGEST = 400
 
 
@@ -81,6 +83,7 @@ def is_refuted_around(result: Result, workspace: Workspace) -> bool:
         _is_of_library(result, line, workspace)
         or is_call_of_decorated(result, workspace)
         or is_uncalled(result.location.path, line, workspace)
+        or is_of_another(result, workspace)
     ):
         return True
     return result.rule in _OF_MODULES and _is_shadowed(result, line, workspace)
@@ -99,6 +102,8 @@ def _is_refuted_apart(result: Result, line: int, workspace: Workspace) -> bool:
     """The same for the rules that are _APART: one thing alone refutes each."""
     if result.rule == "no-self-argument":
         return _is_helper(line, workspace.text(result.location.path), workspace)
+    if result.rule == "bad-super-call":
+        return _is_of_leaf(line, result, workspace)
     if result.rule == "import-self":
         return _is_of_another_module(result.location.path, line, workspace)
     if result.rule == "syntax-error":
@@ -107,6 +112,20 @@ def _is_refuted_apart(result: Result, line: int, workspace: Workspace) -> bool:
             _TABS in result.message and _is_python2_around(path, workspace)
         )
     return _is_starred(result, workspace) or is_of_unseen(result.location.path, workspace)
+
+
+def _is_of_leaf(line: int, result: Result, workspace: Workspace) -> bool:
+    """Whether ``super(type(self), self)`` stands in a class that no class of the workspace inherits: of a subclass it would call itself for ever."""
+    lines = workspace.text(result.location.path).split("\n")
+    above = (_OWNER.match(text) for text in reversed(lines[:line]))
+    name = next((found[1] for found in above if found is not None), "") if "'type'" in result.message else ""
+    if not name:
+        return False
+    inherits = re.compile(rf"^[ \t]*class[ \t]+\w+[ \t]*\([^()\n]{{0,{_LONGEST}}}\b{name}\b", re.MULTILINE)
+    files = [file.path for file in workspace.files if file.language == "python"]
+    return len(files) <= _MOST_FILES_OF_ALL and not any(
+        name in text and inherits.search(text) for text in map(workspace.text, files)
+    )
 
 
 def _is_of_another_module(path: str, line: int, workspace: Workspace) -> bool:
@@ -155,12 +174,13 @@ def _is_python2(path: str, workspace: Workspace) -> bool:
 
 
 def _has_old_yaml(path: str, workspace: Workspace) -> bool:
-    """Whether the file at *path* is of a package of ROS 1: load() of its last distribution's PyYAML, 5.3 (REP 3), takes no Loader, and only warns.
+    """Whether the file at *path* is of a package of ROS 1, or of none among such: load() of its last distribution's PyYAML, 5.3 (REP 3), takes no Loader, and only warns.
 
     Where requirements for pip name PyYAML, another one may be there.
     """
     name = workspace.package_finder()(path)
-    if not any(package.name == name and package.ros == 1 for package in workspace.packages):
+    around = [package for package in workspace.packages if name is None or package.name == name]
+    if not around or any(package.ros != 1 for package in around):
         return False
     pages = (name for name in workspace.names if _REQUIREMENTS.search(name))
     return not any(re.search(r"(?i)\bpyyaml\b", workspace.text(page)) for page in pages)

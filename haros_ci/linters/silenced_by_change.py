@@ -5,6 +5,11 @@ from __future__ import annotations
 
 CHANGE: tuple[tuple[tuple[str, ...], str, str], ...] = (
     (
+        ("three comments `# TODO` in a script, beside a program of its name in C++",),
+        "script-not-runnable of that script is a note",
+        "tests/checking/test_left_to_write.py::test_a_template_beside_its_solution",
+    ),
+    (
         ("requirements*.txt", "setup.py", "setup.cfg", "pyproject.toml"),
         "undeclared-import of a module that pip installs is a note",
         "tests/test_checks.py::test_a_page_is_true",

@@ -20,10 +20,10 @@ _PUT_ASIDE = frozenset("uneeded unneeded unused".split())
 _ARCHIVES = frozenset(
     "archive archived archives attic backup backups bak deprecated graveyard legacy obsolete old trash unused".split()
 )
-#: Such directories with a word of what they hold: ``legacy_ros1``, ``old_scripts``, ``launch_old``.
+#: Such directories with a word of what they hold: ``legacy_ros1``, ``old_scripts``, ``old version``, ``launch_old``.
 _FORMER = "deprecated|legacy|obsolete|old|unused"
 _HELD = r"code|files?|launch|modules?|nodes?|ros[12]?|scripts?|src|stuff|versions?|v?\d{1,8}"
-_ARCHIVE_OF = regex(rf"(?:{_FORMER})[_-]?(?:{_HELD})|(?:{_HELD})[_-](?:{_FORMER})")
+_ARCHIVE_OF = regex(rf"(?:{_FORMER})[_ -]?(?:{_HELD})|(?:{_HELD})[_ -](?:{_FORMER})|(?:former|previous)[_ -]?versions?")
 
 
 def superseded(stem: str) -> str:

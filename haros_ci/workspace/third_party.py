@@ -9,10 +9,10 @@ from collections.abc import Collection, Iterable, Mapping
 from haros_ci.regex import regex
 from haros_ci.workspace.library_trees import library_trees, releases
 
-#: Names that a copy's directory has in C++ and Python projects.
+#: Names that a copy's directory has in C++ and Python projects, and those where pip and others install modules (``lib/python3/dist-packages``).
 NAMES = frozenset(
     "third_party thirdparty third-party 3rdparty 3rd_party 3rd-party 3rd vendor vendored external externals extern deps"
-    " external_lib external_libs external_library external_libraries".split()
+    " external_lib external_libs external_library external_libraries site-packages dist-packages".split()
 )
 _LICENCE = regex(r"(?:licen[cs]e|copying|unlicense)(?:[-._][\w.-]+)?", re.IGNORECASE)
 #: What people write behind the name of a package that they have kept and do not use: in English, Spanish and Portuguese, French, German, Italian, Chinese.

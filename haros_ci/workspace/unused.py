@@ -32,8 +32,10 @@ _FOUND = regex(r"(?:__\w+__|setup|conf|conftest|noxfile|fabfile|manage|test_.*|.
 _SKETCHES = frozenset(
     "drafts experiments notes playground sandbox scratch scratchpad temp testing tmp trials tryout".split()
 )
+#: Names of packages that are there to try things out.
+_TRIALS = frozenset("drafts playground sandbox scratch scratchpad tryout".split())
 #: Names of files that hold what somebody has tried out.
-_TRIED = regex(r"(?:drafts?|scratch(?:pad)?|playground|sandbox|te?mp|trial|tryout|untitled)[_-]?\d{0,3}")
+_TRIED = regex(r"(?:drafts?|scratch(?:pad)?|playground|sandbox|scribbles?|te?mp|trial|tryout|untitled)[_-]?\d{0,3}")
 _ARCHIVED_TEST = regex(r"test_.*|.*_test")
 #: The first comments and text of a Python file, and what they say of one that is kept for reference.
 _HEAD = 2_000
@@ -149,11 +151,11 @@ class Unused(Judged):
         return posixpath.basename(file.path) in _OF_BUILDS and _directory(file.path) in self._homes
 
     def _naming(self, file: SourceFile, stem: str) -> str:
-        """The pattern of what names *file*: its *stem* as a word, but a common word (``controller``) of an archived file as a module or a file alone."""
+        """The pattern of what names *file*: its *stem* as a word, but one word (``controller``, ``CBF``) of a file that is set aside as a module or a file alone."""
         name = mention(file.path, stem)
         if file.language == "cmake":
             return rf"\badd_subdirectory\s*\([^()]{{0,300}}(?<!\w){re.escape(stem)}(?!\w)"
-        if is_archived(file.path) and stem.isalpha() and stem.islower():
+        if self._is_set_aside(file) and stem.isalnum():
             return (
                 rf"(?m){name}\.py(?!\w)|(?:(?<=[\"'/])|(?<=\w\.)){name}[:\"']|^[ \t]*{name}[ \t]*,?[ \t]*$"
                 rf"|\bimport[ \t(][^\n]{{0,200}}?{name}|\bfrom[ \t]+[\w.]{{0,200}}?{name}"
@@ -181,9 +183,11 @@ class Unused(Judged):
         return is_archived(file.path) or self._is_sketch(file)
 
     def _is_sketch(self, file: SourceFile) -> bool:
-        """Whether the file is in no package, beside packages, and in a directory of notes or trials by its name."""
+        """Whether the file is beside packages, in a directory of notes or trials by its name, or in a package that is called so."""
+        if file.package is not None:
+            return file.package.lower() in _TRIALS and len(self._workspace.packages) > 1
         words = re.split(r"[^a-z0-9]+", _directory(file.path).lower())
-        return file.package is None and bool(self._workspace.packages) and not _SKETCHES.isdisjoint(words)
+        return bool(self._workspace.packages) and not _SKETCHES.isdisjoint(words)
 
     def _is_given_up(self, path: str) -> bool:
         """Whether the first comment or text of the file says that it is not to be used any more."""

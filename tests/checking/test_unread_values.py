@@ -55,3 +55,79 @@ def test_levels(parts: tuple[str, ...], read: str, expected: Level, tmp_path: Pa
     found = [one for one in said(check, Example("", True, files), tmp_path) if "names.yaml" in one.message]
     assert [one.level for one in found] == [expected]
     assert (ADVICE in found[0].message) == (expected is Level.NOTE)
+
+
+MANIFEST_2 = (
+    '<package format="3"><name>demo</name><version>1.0.0</version><description>d</description>'
+    '<maintainer email="a@b.cd">m</maintainer><license>MIT</license><buildtool_depend>ament_cmake</buildtool_depend>'
+    "<export><build_type>ament_cmake</build_type></export></package>\n"
+)
+CMAKE_2 = """cmake_minimum_required(VERSION 3.8)
+project(demo)
+find_package(ament_cmake REQUIRED)
+install(DIRECTORY launch DESTINATION share/${PROJECT_NAME})
+ament_package()
+"""
+DECLARED = "    DeclareLaunchArgument('model', default_value=os.path.join(shared, 'urdf', 'arm.urdf')),\n"
+ABROAD = (
+    "    IncludeLaunchDescription(os.path.join(get_package_share_directory('gz_tools'), 'launch', 'gz.launch.py')),\n"
+)
+BESIDE = "    IncludeLaunchDescription(os.path.join(shared, 'launch', 'b.launch.py')),\n"
+LAUNCH = """import os
+
+from ament_index_python.packages import get_package_share_directory
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument, ExecuteProcess, IncludeLaunchDescription, OpaqueFunction
+from launch.substitutions import LaunchConfiguration
+
+shared = get_package_share_directory('demo')
+
+
+def late(context):
+    return [ExecuteProcess(cmd=['echo', {late}])]
+
+
+def generate_launch_description():
+    return LaunchDescription([
+{parts}])
+"""
+READS = "    ExecuteProcess(cmd=['echo', LaunchConfiguration('model')]),\n"
+GIVES = BESIDE.replace("py')", "py'), launch_arguments={'model': 'a.urdf'}.items()")
+LATE = "    OpaqueFunction(function=late),\n"
+READS_ALL = "str(context.launch_configurations)"
+UNREAD = "nothing here reads the argument 'model': remove it"
+
+
+@pytest.mark.parametrize(
+    ("parts", "late", "other", "expected"),
+    [
+        ((DECLARED,), "'a'", "", Level.NOTE),
+        ((DECLARED, ABROAD), "'a'", "", Level.NOTE),
+        ((DECLARED.replace("'model'", "name='model'"), ABROAD), "'a'", "", Level.NOTE),
+        ((DECLARED, BESIDE), "'a'", "    ExecuteProcess(cmd=['ls']),\n", Level.NOTE),
+        ((DECLARED, LATE), "'a'", "", Level.NOTE),
+        ((DECLARED, READS), "'a'", "", Level.WARNING),
+        ((DECLARED, ABROAD, READS), "'a'", "", Level.WARNING),
+        ((DECLARED, BESIDE), "'a'", READS, Level.WARNING),
+        ((DECLARED, GIVES), "'a'", READS, Level.WARNING),
+        ((DECLARED, LATE), "LaunchConfiguration('model').perform(context)", "", Level.WARNING),
+        ((DECLARED, LATE), "context.launch_configurations['model']", "", Level.WARNING),
+        ((DECLARED, LATE), READS_ALL, "", Level.WARNING),
+        ((DECLARED, ABROAD.replace("py')", "py'), launch_arguments={'model': 'a'}.items()")), "'a'", "", Level.WARNING),
+        ((DECLARED.replace("'model'", "MODEL"), ABROAD), "MODEL, LaunchConfiguration(MODEL)", "", Level.WARNING),
+    ],
+)
+def test_ros_2(parts: tuple[str, ...], late: str, other: str, expected: Level, tmp_path: Path) -> None:
+    files = {
+        "package.xml": MANIFEST_2,
+        "CMakeLists.txt": CMAKE_2,
+        "launch/a.launch.py": LAUNCH.format(parts="".join(parts), late=late).replace(
+            "shared =", "MODEL = 'model'\nshared =" if "MODEL" in late else "shared ="
+        ),
+    }
+    if other:
+        files["launch/b.launch.py"] = LAUNCH.format(parts=other, late="'b'")
+    check = next(check for check in checks() if check.id == "missing-launch-file")
+    found = [one for one in said(check, Example("", True, files), tmp_path) if "arm.urdf" in one.message]
+    assert [one.level for one in found] == [expected]
+    assert (UNREAD in found[0].message) == (expected is Level.NOTE)

@@ -388,6 +388,25 @@ def test_constants_that_cppcheck_takes_for_negative_ones(number: str, expected: 
     assert not is_refuted("nullPointer", "Null pointer dereference: n", 1, line)
 
 
+@pytest.mark.parametrize(
+    ("condition", "expected"),
+    [
+        ("smooth && !(fast)", True),
+        ("!(smooth) && fast", True),
+        ("smooth || fast", True),
+        ("smooth && !(smooth)", False),
+        ("speed > 3 && speed < 1", False),
+        ("smooth && speed < 1", False),
+        ("a.smooth && !(a.fast)", False),
+        ("smooth() && !(fast)", False),
+        ("smooth && !(fast) && slow", False),
+    ],
+)
+def test_conditions_that_join_two_switches(condition: str, expected: bool) -> None:
+    message = f"Logical conjunction always evaluates to false: {condition}."
+    assert is_refuted("incorrectLogicOperator", message, 1, "if (smooth && !fast) {\n") is expected
+
+
 OPPOSITE = "Expression is always true because 'else if' condition is opposite to previous condition at line 1."
 
 

@@ -266,6 +266,97 @@ def refuted(rule: str, text: str, at: str) -> bool:
     return is_refuted(rule, before.count("\n") + 1, len(before) - before.rfind("\n") - 1, text)
 
 
+DELETED = """def on_mode(data):
+    global recorder, state
+    if data.mode == 'stop':
+        recorder.stop()
+        del recorder
+    elif state == 0:
+        recorder = Recorder(data.file)
+
+def on_change(data):
+    global recorder
+    recorder = Recorder(data.file, 'a')
+"""
+CHOSEN = "if source == 'a':\n    pos = 1\nelif source == 'b':\n    pos = 2\n\npos += 3\n"
+REFUTED += [
+    ("undefined-variable", CHOSEN, "pos += 3"),
+    ("undefined-variable", CHOSEN.replace("elif source == 'b':\n    pos = 2\n", ""), "pos += 3"),
+    ("undefined-variable", CHOSEN.replace("pos = 2", "(pos, x) = 2, 3"), "pos += 3"),
+    ("undefined-variable", "try:\n    pos = int(a)\nexcept ValueError:\n    pass\npos -= 1\n", "pos -= 1"),
+]
+STANDS += [
+    ("undefined-variable", "pos += 3\n" + CHOSEN.replace("pos += 3\n", ""), "pos += 3"),
+    ("undefined-variable", CHOSEN.replace("pos = ", "pos += "), "pos += 3"),
+    ("undefined-variable", CHOSEN.replace("pos += 3", "def f():\n    pos += 3"), "pos += 3"),
+    ("undefined-variable", CHOSEN.replace("pos = ", "self.pos = "), "pos += 3"),
+]
+PRODUCT = "import numpy as np\n\ndef f(a, b):\n    length = np.inner(a, b)\n    return -length\n"
+REFUTED += [
+    ("invalid-unary-operand-type", PRODUCT, "-length"),
+    ("invalid-unary-operand-type", PRODUCT.replace("inner", "vdot"), "-length"),
+    ("invalid-unary-operand-type", "import numpy as np\nx = -np.inner(a, b)\n", "-np"),
+    ("unsupported-assignment-operation", PRODUCT.replace("return -length", "length[0] = 1"), "length[0]"),
+    ("invalid-sequence-index", PRODUCT.replace("return -length", "return length[1:, 2]"), "length[1"),
+]
+STANDS += [
+    ("invalid-unary-operand-type", PRODUCT.replace("np.inner(a, b)", "(a, b)"), "-length"),
+    ("invalid-unary-operand-type", PRODUCT.replace("return -length", "return -other"), "-other"),
+    ("invalid-unary-operand-type", PRODUCT.replace("length = np.inner", "lengths = np.inner"), "-length"),
+    ("invalid-unary-operand-type", PRODUCT.replace("np.inner(a, b)", "np.unravel_index(a, b)"), "-length"),
+    (
+        "invalid-unary-operand-type",
+        PRODUCT.replace("    length", "    # length = np.inner(a, b)\n    length").replace(
+            "= np.inner(a, b)\n    r", "= (a, b)\n    r"
+        ),
+        "-length",
+    ),
+]
+STOP = "import numpy as np\n\ndef f(q):\n    if np.any(np.isnan(q)):\n        breakpoint()\n    return q\n"
+REFUTED += [
+    ("undefined-variable", DELETED, "recorder.stop"),
+    (
+        "undefined-variable",
+        DELETED.replace("    elif state == 0:\n        recorder = Recorder(data.file)\n", ""),
+        "recorder.stop",
+    ),
+    ("undefined-variable", DELETED.replace("    global recorder\n    recorder =", "    recorder ="), "recorder.stop"),
+    ("forgotten-debug-statement", STOP, "breakpoint"),
+    ("forgotten-debug-statement", STOP.replace("breakpoint", "print(q)\n        breakpoint"), "breakpoint"),
+    ("forgotten-debug-statement", STOP.replace("breakpoint()", "breakpoint()  # for debugging"), "breakpoint"),
+    (
+        "forgotten-debug-statement",
+        STOP.replace("    return", "    elif q:\n        pdb.set_trace()\n    return"),
+        "pdb.set",
+    ),
+]
+STANDS += [
+    ("undefined-variable", DELETED.replace("        del recorder\n", ""), "recorder.stop"),
+    (
+        "undefined-variable",
+        DELETED.replace("recorder = Recorder(data.file", "use(recorder"),
+        "recorder.stop",
+    ),
+    ("undefined-variable", DELETED.replace("global recorder, state", "global state"), "recorder.stop"),
+    ("undefined-variable", DELETED, "Recorder(data.file)"),
+    ("forgotten-debug-statement", "def f(q):\n    breakpoint()\n    return q\n", "breakpoint"),
+    (
+        "forgotten-debug-statement",
+        STOP.replace("        breakpoint()", "        q = 1\n        breakpoint()"),
+        "breakpoint",
+    ),
+    ("forgotten-debug-statement", STOP.replace("breakpoint()", "import pdb; pdb.set_trace()"), "pdb.set"),
+    ("forgotten-debug-statement", STOP.replace("breakpoint()", "breakpoint()\n        q = 1"), "breakpoint"),
+    ("forgotten-debug-statement", STOP.replace("np.any(np.isnan(q))", "True"), "breakpoint"),
+    (
+        "forgotten-debug-statement",
+        STOP.replace("    return q", "    else:\n        q = 1\n        breakpoint()"),
+        "breakpoint",
+    ),
+    ("forgotten-debug-statement", "for q in v:\n    breakpoint()\n", "breakpoint"),
+]
+
+
 @pytest.mark.parametrize(("rule", "text", "at"), REFUTED)
 def test_refuted(rule: str, text: str, at: str) -> None:
     assert refuted(rule, text, at)

@@ -583,3 +583,29 @@ MISSED = "Parsing failed: 'expected an indented block after 'try' statement on l
 )
 def test_exercises(text: str, more: dict[str, str], message: str, expected: bool, tmp_path: Path) -> None:
     assert of_tabs(tmp_path, text, "", more, message) is expected
+
+
+LEAF = "class Window(Base):\n    def __init__(self, port):\n        super(type(self), self).__init__(port)\n"
+
+
+@pytest.mark.parametrize(
+    ("more", "name", "expected"),
+    [
+        ({}, "type", True),
+        ({"b.py": "window = Window(1)\n"}, "type", True),
+        ({"b.py": "from a import Window\n\nclass Other(Base):\n    pass\n"}, "type", True),
+        ({"b.py": "class Small(Window):\n    pass\n"}, "type", False),
+        ({"b.py": "class Small(Base, a.Window):\n    pass\n"}, "type", False),
+        ({"a.py": f"{LEAF}\n\nclass Small(Window):\n    pass\n"}, "type", False),
+        ({}, "Base", False),
+        ({"a.py": "def f(self):\n    pass\n    super(type(self), self).f()\n"}, "type", False),
+    ],
+)
+def test_super_of_the_type_of_self(tmp_path: Path, more: dict[str, str], name: str, expected: bool) -> None:
+    files = {"a.py": LEAF, **more}
+    made = replace(workspace(tmp_path, files), names=frozenset(files))
+    message = f"Bad first argument '{name}' given to super()"
+    assert (
+        is_refuted_around(Result("pylint", "bad-super-call", Level.WARNING, message, Location("a.py", 3)), made)
+        is expected
+    )

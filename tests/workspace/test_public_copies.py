@@ -64,12 +64,24 @@ FIRES += [
         {**OWN, "src/ublox/filters": ("ublox_msg_filters", (("Kevin", "kevin@dataspeedinc.com"),), "0.0.0")},
         {"src/ublox"},
     ),
+    ({**OWN, "src/ndt": ("ndt_omp", (("k", "koide@aisl.cs.tut.ac.jp"),), "0.0.0")}, {"src/ndt"}),
+    ({**OWN, "src/ur": ("ur_dashboard_msgs", (("F", "exner@fzi.de"),), "0.0.0")}, {"src/ur"}),
+    (
+        {**OWN, "src/example_2": ("ros2_control_demo_example_2", (("D", "d.s@stoglrobotics.de"),), "0.0.0")},
+        {"src/example_2"},
+    ),
+    ({**OWN, "src/kindr": ("kindr_ros", (("R", "r.d@anybotics.com"),), "0.3.0")}, {"src/kindr"}),
+    ({**OWN, "src/airsim": ("airsim_ros_pkgs", (("R", "ratneshmadaan@gmail.com"),), "0.0.1")}, {"src/airsim"}),
     ({**OWN, "src/omni": ("phantom_omni", (("Dane", "git@danepowell.com"),), "1.0.0")}, {"src/omni"}),
 ]
 EVA = ("Eva Kant", "eva@lasers.org")
 ASSISTANT = ("MoveIt Setup Assistant", "assistant@moveit.ros.org")
 QUIET = [
     {**OWN, "src/gripper": ("robotiq_of_ours", (GRETE,), "1.0.0")},  # the name alone
+    {**OWN, "src/ur": ("ur_of_ours", (GRETE,), "1.0.0")},
+    {**OWN, "src/fast_lio": ("fast_lio", (GRETE,), "0.0.0")},
+    {**OWN, "src/any": ("arm_of_any", (("R", "r.d@anybotics.com"),), "0.3.0")},
+    {**OWN, "src/example": ("ros2_control_demo_of_ours", (GRETE,), "0.0.0")},
     {**OWN, "src/lidar": ("lidar_of_ours", (("LDROBOT", "support@ldrobot.com"),), "3.0.2")},  # the maker alone
     # one of the people of a released package has a part in one that is no copy, as its name says
     {**OWN, "arm_more": ("arm_planning", (ADA, EVA), "1.2.0"), "urg_node": ("urg_node", (EVA,), "1.2.0")},
@@ -107,6 +119,33 @@ QUIET = [
     {"src-master/arm_of_ours": ("arm_of_ours", (ADA,), "1.0.0"), "src-master/leg": ("leg_of_ours", (ADA,), "1.0.0")},
     {},
 ]
+
+
+EVA_OF_LASERS, MAX = ("Eva Kant", "eva@lasers.org"), ("Max Moritz", "max.moritz@gmail.com")
+URG = {"src/urg/urg_node": LASER, "src/urg/bridge": ("urg_bridge", (EVA_OF_LASERS,), "0.0.0")}
+#: Packages of one repository: what lies beside a public one, the files of the repository, and what is a copy.
+REPOSITORIES = [
+    ({**OWN, **URG}, "src/urg/LICENSE", {"src/urg"}),
+    ({**OWN, **URG}, "src/urg/license.md", {"src/urg"}),
+    ({**OWN, **URG}, "src/urg/README.md", set()),
+    ({**OWN, **URG}, "src/LICENSE", set()),
+    ({**OWN, **URG}, "src/urg/bridge/LICENSE", set()),
+    ({**OWN, **URG, "src/urg/bridge": ("urg_bridge", (ADA,), "0.0.0")}, "src/urg/LICENSE", set()),
+    ({**OWN, **URG, "src/urg/bridge": ("bridge_of_ours", (MAX,), "0.0.0")}, "src/urg/LICENSE", {"src/urg/urg_node"}),
+    ({**OWN, **URG, "src/urg/bridge": ("bridge_of_ours", (TODO,), "0.0.0")}, "src/urg/LICENSE", {"src/urg/urg_node"}),
+    ({**OWN, **URG, "src/more": ("arm_more", (EVA_OF_LASERS,), "0.0.0")}, "src/urg/LICENSE", set()),
+    ({**OWN, "src/urg_node": LASER, "src/bridge": ("urg_bridge", (EVA_OF_LASERS,), "0.0.0")}, "src/LICENSE", set()),
+    (URG, "src/urg/LICENSE", set()),
+]
+
+
+@pytest.mark.parametrize(("packages", "file", "expected"), REPOSITORIES)
+def test_packages_of_one_repository(
+    packages: dict[str, tuple[str, tuple[tuple[str, str], ...], str]], file: str, expected: set[str], tmp_path: Path
+) -> None:
+    (tmp_path / file).parent.mkdir(parents=True)
+    (tmp_path / file).write_text("BSD\n")
+    assert found(tmp_path, packages) == expected
 
 
 def test_the_people_of_a_template_are_nobody(tmp_path: Path) -> None:

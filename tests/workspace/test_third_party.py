@@ -57,6 +57,13 @@ FIRES = [
     ("src/demo_废弃/src/a.cpp", (), (), "src/demo_废弃"),
     ("src/arm_OLD/src/a.cpp", (), (), "src/arm_OLD"),
     ("3rd/json/json.hpp", (), (), "3rd"),
+    (
+        "src/sdk-python2.7/lib/python2.7/site-packages/qi/path.py",
+        (),
+        (),
+        "src/sdk-python2.7/lib/python2.7/site-packages",
+    ),
+    ("src/sdk/lib/python3/dist-packages/geometry_msgs/msg/_Pose.py", (), (), "src/sdk/lib/python3/dist-packages"),
     ("src/demo/3rdparty/a.cpp", (), (), "src/demo/3rdparty"),
     ("src/Vendor/a/b/c.cpp", (), (), "src/Vendor"),
     ("external/planner_ros/src/a.cpp", (), (), "external"),

@@ -72,10 +72,17 @@ def test_a_source_that_may_be_compiled(tmp_path: Path, files: dict[str, str]) ->
     assert not unused(tmp_path, "src/trial.cpp", files)
 
 
+TRIALS = {
+    "src/sandbox/package.xml": MANIFEST.replace("demo", "sandbox"),
+    "src/demo/package.xml": MANIFEST,
+}
 FIRES_PYTHON = [
     ("demo/pick_old.py", {"demo/pick_old.py": NODE, "demo/pick.py": NODE, "demo/__init__.py": ""}),
     ("demo/draft.py", {"demo/draft.py": NODE}),
     ("demo/untitled1.py", {"demo/untitled1.py": NODE}),
+    ("demo/scribble.py", {"demo/scribble.py": NODE}),
+    ("demo/old version/pick.py", {"demo/old version/pick.py": NODE}),
+    ("previous_versions/pick.py", {"previous_versions/pick.py": NODE}),
     ("demo/tmp.py", {"demo/tmp.py": MODULE}),
     ("scripts/2_uneeded_scripts/pick.py", {"scripts/2_uneeded_scripts/pick.py": NODE}),
     ("scripts/unused-stuff/pick.py", {"scripts/unused-stuff/pick.py": NODE}),
@@ -83,6 +90,15 @@ FIRES_PYTHON = [
     (
         "demo/pick copy.py",
         {"demo/pick copy.py": NODE, "demo/pick.py": "import importlib\nimportlib.import_module(name)\n"},
+    ),
+    ("src/sandbox/src/pick.py", {"src/sandbox/src/pick.py": NODE, **TRIALS}),
+    (
+        "src/sandbox/src/pick.py",
+        {"src/sandbox/src/pick.py": NODE, "src/sandbox/src/walk.py": "import pick\n", **TRIALS},
+    ),
+    (
+        "src/sandbox/go2dock.py",
+        {"src/sandbox/go2dock.py": NODE, **TRIALS, "src/demo/a.py": "rospy.Publisher('/go2dock/x', A)\ngo2dock = 1\n"},
     ),
     ("demo/pick copy 2.py", {"demo/pick copy 2.py": NODE, "demo/pick.py": NODE}),
     ("demo/pick - Copy (2).py", {"demo/pick - Copy (2).py": NODE, "demo/pick.py": NODE}),
@@ -117,6 +133,8 @@ FIRES_PYTHON = [
     ("demo/old/walk_on.py", {"demo/old/walk_on.py": NODE, "go.py": "from demo.walk_on import main\n"}),
     ("demo/old/walk_on.py", {"demo/old/walk_on.py": NODE, "README.md": "Run demo/walk_on.py\n"}),
     ("demo/old/walk_on.py", {"demo/old/walk_on.py": NODE, "go.py": "self.walk_on()\n"}),
+    ("demo/old/CBF.py", {"demo/old/CBF.py": NODE, "README.md": "with the CBF-enabled control\n"}),
+    ("demo/old/Walk.py", {"demo/old/Walk.py": NODE, "go.py": "class Walk:\n    pass\n"}),
     ("demo/old/walk_on.py", {"demo/old/walk_on.py": NODE, "go.py": "import pkgutil\n"}),
     ("demo/old/walk_on.py", {"demo/old/walk_on.py": NODE, "go.py": "import pkgutil\npkgutil.get_data('a', 'b')\n"}),
     ("demo/pick-backup2.py", {"demo/pick-backup2.py": "#!/usr/bin/env python3\n" + NODE, "demo/pick.py": NODE}),
@@ -219,6 +237,18 @@ QUIET_PYTHON = [
         },
     ),
     ("archive/pick.py", {"archive/pick.py": NODE, "walk.py": "from archive.pick import main\n"}),
+    ("src/sandbox/a.py", {"src/sandbox/a.py": NODE, "package.xml": MANIFEST.replace("demo", "sandbox")}),
+    ("src/sandbox/pick.py", {"src/sandbox/pick.py": NODE, **TRIALS, "src/demo/a.launch": "<node type='pick.py'/>\n"}),
+    (
+        "src/sandbox/pick.py",
+        {"src/sandbox/pick.py": NODE, **TRIALS, "src/sandbox/CMakeLists.txt": "install(PROGRAMS pick.py)\n"},
+    ),
+    ("src/demo/pick.py", {"src/demo/pick.py": NODE, **TRIALS}),
+    ("demo/version of old/pick.py", {"demo/version of old/pick.py": NODE}),
+    ("previous/pick.py", {"previous/pick.py": NODE}),
+    ("demo/scribbled.py", {"demo/scribbled.py": NODE}),
+    ("demo/old/CBF.py", {"demo/old/CBF.py": NODE, "go.py": "from demo.old.CBF import CBF\n"}),
+    ("demo/old/CBF.py", {"demo/old/CBF.py": NODE, "README.md": "python3 old/CBF.py\n"}),
     ("archive/conftest.py", {"archive/conftest.py": NODE}),
     *(
         ("demo/old/walk_on.py", {"demo/old/walk_on.py": NODE, "go.py": text})
