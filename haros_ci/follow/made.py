@@ -60,6 +60,26 @@ class MadeEntity:
     written: str | None = field(default=None, compare=False)
 
 
+class Entities(dict[Key, MadeEntity]):
+    """What was made, by key."""
+
+    __slots__ = ("_keys",)
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._keys: dict[tuple[str, object], dict[Key, None]] = {}
+
+    def note(self, key: Key, made: MadeEntity) -> None:
+        """Keep what was *made* so that ``of`` finds it."""
+        self[key] = made
+        for what in (made.name, made.location):
+            self._keys.setdefault((made.kind, what), {})[key] = None
+
+    def of(self, kind: str, what: str | Location | None) -> list[tuple[Key, MadeEntity]]:
+        """What was made of a *kind* under that name, or in that place."""
+        return [(key, self[key]) for key in self._keys.get((kind, what), ()) if key in self]
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class Root:
     """A function that is called back later, under the conditions of its registration.
@@ -150,7 +170,7 @@ def make(walk: Walk, made: MadeEntity) -> None:
         made = replace(made, conditions=conditions, unknowns=unknowns, dead=dead)
     if known is not None and (known.conditions != conditions or known.dead != dead):
         walk.news += 1
-    walk.made[key] = made
+    walk.made.note(key, made)
     if walk.lacking and len(walk.lacking) == walk.ruled_out() == dead:
         walk.lacks[key] = tuple(walk.lacking)
 
