@@ -6,6 +6,7 @@ from __future__ import annotations
 from collections.abc import Callable as Function_
 from collections.abc import Mapping
 from dataclasses import replace
+from itertools import islice
 from typing import TYPE_CHECKING
 
 from haros_ci.graph.parameters import Setting
@@ -284,7 +285,7 @@ def forget_dead(walk: Walk, known: int) -> None:
     a turn that takes one makes nothing behind it where another does not take it.
     """
     if len(walk.made) > known:
-        since = list(walk.made.items())[known:]
+        since = list(islice(reversed(walk.made.items()), len(walk.made) - known))[::-1]
         least: dict[tuple[str, Location], tuple[int, bool]] = {}
         for _, made in since:
             place, count = (made.kind, made.location), (made.dead, made.is_behind)

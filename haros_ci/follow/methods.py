@@ -193,6 +193,9 @@ def templates_of(walk: Walk, this: Object, owner: str) -> Mapping[str, syntax.Ar
 
 def overload(walk: Walk, candidates: list[Found], arguments: Given) -> Found:
     """The definition that takes the *arguments* of the call, with its body if it has one; of several bodies none for certain."""
+    if len(candidates) > overloads.MOST:  # each call would compare its arguments with all of them
+        source, function = candidates[0]
+        return source, overloads.unsure(walk, function, (function,))
     candidates = overloads.compiled(walk, candidates)
     fitting = candidates
     if arguments is not None:
