@@ -67,6 +67,8 @@ def _marks(made: Linked, workspace: Workspace, settings: Settings, calls: Calls 
     marks: dict[str, list[Unknown]] = {}
     where = Syntax(coverage.code)
     for site, names in _of_nodes(pending, users):
+        if all(len(marks.get(name, ())) >= MOST for name in names):
+            continue
         if area(site.source) != PRODUCTION or not _is_missing(coverage, where, site, places):
             continue
         reason = f"{shown(workspace.text(site.source.path), site.call)}{NOT_IN}"
