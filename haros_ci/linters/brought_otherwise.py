@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from haros_ci.linters import (
+    absent_parts,
     endpoint_macros,
     given_endpoints,
     lone_returns,
@@ -31,6 +32,7 @@ _LOOKS = (
     unbound_names,
     missing_names,
     refused_interfaces,
+    absent_parts,
 )
 
 
