@@ -83,8 +83,7 @@ def test_what_is_no_part_and_what_stands_beside() -> None:
 def test_what_a_change_brings(tmp_path: Path) -> None:
     def said(place: str, base: str, head: str) -> list[tuple[int | None, str]]:
         sides = [
-            workspace(tmp_path / place / side, {"arm/urdf/arm.urdf": text})
-            for side, text in (("b", base), ("h", head))
+            workspace(tmp_path / place / side, {"arm/urdf/arm.urdf": text}) for side, text in (("b", base), ("h", head))
         ]
         assert notifications(sides[1], None) == ()
         return [(note.line, note.message) for note in notifications(sides[1], sides[0])]
