@@ -14,6 +14,7 @@ from haros_ci.linters import (
     refused_interfaces,
     seen_otherwise,
     started_instead,
+    swapped_types,
     unbound_names,
     used_aside,
 )
@@ -33,6 +34,7 @@ _LOOKS = (
     missing_names,
     refused_interfaces,
     absent_parts,
+    swapped_types,
 )
 
 
