@@ -79,8 +79,8 @@ def absent(text: str) -> Iterator[tuple[int, str, str]]:
             value = next((one[2] or one[3] or "" for one in _ATTRIBUTE.finditer(tag[3]) if one[1] == "value"), "")
             is_never = hidden is None and _truth(value, known) is _CONDITIONS[name]
             if is_never:
-                said = " ".join(value.split())[:60]
-                hidden = line, f'<{name} value="{said}">'
+                shown = " ".join(value.split())[:60]
+                hidden = line, f'<{name} value="{shown}">'
             around.append(is_never)
 
 
