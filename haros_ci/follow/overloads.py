@@ -71,7 +71,7 @@ def chosen(walk: Walk, candidates: list[Found], arguments: Sequence[PassedArgume
     names = {signature(item[1]) for item in best}
     if len(names) == 1 or best[0][1].body is None:
         return any_of(walk, best[0], best) if best[0][1].body is not None else best[0]
-    return best[0][0], unsure(walk, best[0][1], tuple(item[1] for item in best))
+    return best[0][0], _unsure(walk, best[0][1], tuple(item[1] for item in best))
 
 
 def takes(function: Function, count: int) -> bool:
@@ -106,7 +106,7 @@ def _any_of(walk: Walk, one: Found, candidates: Sequence[Found]) -> Found:
     may_be = [item for item in different if not _is_left_out(walk, *item)]
     if len(may_be) == 1:
         return may_be[0]
-    return one[0], _one_of(walk, one[1], may_be) or unsure(walk, one[1], functions)
+    return one[0], _one_of(walk, one[1], may_be) or _unsure(walk, one[1], functions)
 
 
 def _are_alternatives(different: list[Found]) -> bool:
@@ -174,7 +174,7 @@ def decorated(walk: Walk, function: Function) -> Function:
         while type(decorator) is syntax.Call:
             decorator = decorator.callee
         if (name := syntax.name_of(decorator)) not in TRANSPARENT and not yielding.is_manager(name, function):
-            return unsure(walk, function, (function,))
+            return _unsure(walk, function, (function,))
     return function
 
 
@@ -237,7 +237,7 @@ def _guarded(walk: Walk, functions: tuple[Function, ...]) -> Function:
     return _made(walk, functions, (syntax.Preprocessor(branches),), functions[0].guards[:-1])
 
 
-def unsure(walk: Walk, function: Function, functions: tuple[Function, ...]) -> Function:
+def _unsure(walk: Walk, function: Function, functions: tuple[Function, ...]) -> Function:
     """*function* with results, and effects, that are not sure."""
     removed = (syntax.Return(syntax.Unknown(EITHER)),)
     branch = syntax.Branch(function.line, function.column, "", removed)

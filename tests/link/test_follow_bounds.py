@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 from follow_kit import cpp, cpp_files, follow, main, names, python_files, script
 
-from haros_ci.follow import walk
+from haros_ci.follow import overloads, walk
 from haros_ci.values import abstract as values
 
 LARGE = "the node is too large to be followed to its end; some of what it makes may be missing"
@@ -225,3 +225,15 @@ def test_callbacks_up_to_the_bound_leave_nothing_open() -> None:
     quiet = "".join(f"void q{i}(const std_msgs::String&) {{}}\n" for i in range(walk.ROOTS + 2))
     body = 'ADV("a", 1);\n' + "".join(f'nh.subscribe("s{i}", 1, q{i});\n' for i in range(walk.ROOTS + 2))
     assert cpp(body, quiet).unknowns == ()
+
+
+def test_a_call_with_more_overloads_than_are_compared_is_not_sure(monkeypatch: pytest.MonkeyPatch) -> None:
+    """None is taken for the right one, and the node says so."""
+    kinds = "".join(f'struct S{i} {{}};\nvoid f(S{i}, ros::NodeHandle& nh) {{ ADV("t{i}", 1); }}\n' for i in range(4))
+    assert names(cpp('ADV("a", 1); f(S2(), nh);', kinds)) == ["/a", "/t2"]
+    monkeypatch.setattr(overloads, "MOST", 3)
+    found = cpp('ADV("a", 1); f(S2(), nh);', kinds)
+    assert names(found) == ["/a"]
+    assert "f has more overloads than are compared with the arguments of a call" in [
+        one.reason for one in found.unknowns
+    ]
