@@ -3,7 +3,9 @@
 
 from __future__ import annotations
 
+from bisect import bisect_right
 from collections.abc import Iterator
+from itertools import accumulate
 
 from haros_ci.api import (
     Check,
@@ -46,12 +48,16 @@ def check(system: System) -> Iterator[Finding]:
             rules.setdefault((rule.location, rule.source), _Used(rule)).nodes.append((node, rule))
     # rules of the same nodes for one name, and copies of a list of rules in one file, are one slip
     alike: dict[tuple[str, ...], list[_Used]] = {}
+    texts: dict[str, _Text] = {}
     for used in rules.values():
-        if not _reaches_others(used.rule, system) and all(
+        path = used.rule.location.path
+        if path not in texts:
+            texts[path] = _Text(system, path)
+        if not texts[path].reaches_others(used.rule) and all(
             is_idle(node, rule) and not is_given_away(node, rule, system) for node, rule in used.nodes
         ):
             kinds = sorted({f"{node.package}/{node.type}" for node, _ in used.nodes})
-            alike.setdefault((used.rule.location.path, used.rule.source, *kinds), []).append(used)
+            alike.setdefault((path, used.rule.source, *kinds), []).append(used)
     for group in alike.values():
         yield _finding(group)
 
@@ -93,22 +99,30 @@ def _finding(group: list[_Used]) -> Finding:
     )
 
 
-def _reaches_others(rule: RemapRule, system: System) -> bool:
-    """Whether the rule stands before a file of another workspace that is included in its scope: nodes there may use the name."""
-    text = system.workspace.text(rule.location.path) if system.workspace is not None else ""
-    lines = text.split("\n")
-    line = rule.location.line or 0
-    if not text.lstrip().startswith("<") or not 0 < line <= len(lines):
-        return False
-    opened = False
-    before = (*lines[: line - 1], lines[line - 1][: (rule.location.column or 1) - 1])
-    for tag in _NODE.finditer("\n".join(before)):
-        opened = not tag[1] and not tag[0].endswith("/>")
-    if opened:
-        return False
-    here = {*system.packages}
-    files = (include[1] for include in _INCLUDE.finditer("\n".join(lines[line - 1 :])))
-    return any(not here.issuperset(filter(None, _FOUND.findall(file))) for file in files)
+class _Text:
+    """The text of a launch file, in which all of its rules are looked up."""
+
+    def __init__(self, system: System, path: str) -> None:
+        text = system.workspace.text(path) if system.workspace is not None else ""
+        self.lines = text.split("\n") if text.lstrip().startswith("<") else []
+        self.starts = [0, *accumulate(len(line) + 1 for line in self.lines)]
+        #: Where tags of nodes end, and whether one is open behind them.
+        self.nodes = [(tag.end(), not tag[1] and not tag[0].endswith("/>")) for tag in _NODE.finditer(text)]
+        here = {*system.packages}
+        files = ((include.start(), include[1]) for include in _INCLUDE.finditer(text))
+        #: Where the last file of another workspace is included.
+        self.last = max(
+            (at for at, file in files if not here.issuperset(filter(None, _FOUND.findall(file)))), default=-1
+        )
+
+    def reaches_others(self, rule: RemapRule) -> bool:
+        """Whether the rule stands before a file of another workspace that is included in its scope: nodes there may use the name."""
+        line = rule.location.line or 0
+        if not 0 < line <= len(self.lines):
+            return False
+        before = bisect_right(self.nodes, (self.starts[line - 1] + (rule.location.column or 1) - 1, True))
+        is_in_node = before > 0 and self.nodes[before - 1][1]
+        return not is_in_node and self.last >= self.starts[line - 1]
 
 
 def _meant(node: SystemNode, rule: RemapRule) -> End | None:

@@ -25,13 +25,14 @@ def check(system: System) -> Iterator[Finding]:
     read = {end.name for end in reads}
     used = {part for parameter in parameters for part in _around(parameter.name)}
     names = {parameter.name for parameter in parameters}
+    sure = _Sure(system)
     unread = [
         parameter
         for parameter in parameters
         if parameter.name not in named
         and not any(part in read for part in _around(parameter.name))
         and not (perhaps is not None and perhaps.fullmatch(parameter.name))
-        and _is_sure(parameter, system)
+        and sure.of(parameter)
     ]
     by_last: dict[str, list[Parameter]] = {}
     for parameter in unread:
@@ -108,14 +109,19 @@ def _finding(
     )
 
 
-def _is_sure(parameter: Parameter, system: System) -> bool:
-    """Whether nobody can read it who is not seen to: its node is complete, or for a shared one all are."""
-    owners = [node for node in system.nodes if parameter.name.startswith(f"{node.name}/")]
-    return all(_is_read_through(node) for node in (owners or system.nodes))
+class _Sure:
+    """Whether nobody can read a parameter who is not seen to: its node is complete, or for a shared one all are."""
 
+    def __init__(self, system: System) -> None:
+        self.nodes: dict[str, bool] = {}
+        for node in system.nodes:
+            whole = node.complete and node.known and all(end.known for end in node.of("getters"))
+            self.nodes[node.name] = whole and self.nodes.get(node.name, True)
+        self.all = all(self.nodes.values())
 
-def _is_read_through(node: SystemNode) -> bool:
-    return node.complete and node.known and all(end.known for end in node.of("getters"))
+    def of(self, parameter: Parameter) -> bool:
+        above = [part for part in _around(parameter.name) if part != parameter.name and part in self.nodes]
+        return all(self.nodes[part] for part in above) if above else self.all
 
 
 def _around(name: str) -> Iterator[str]:

@@ -32,10 +32,11 @@ PLACEHOLDERS = ("unknown", "undefined", "unset", "none", "todo")
 
 def check(system: System) -> Iterator[Finding]:
     by_place: dict[tuple[Location, str, str], dict[Channel | End, None]] = {}
+    lines: dict[str, list[str]] = {}  # of each file
     for topic in system.topics:
         if len(topic.types) < 2 or topic.name.rpartition("/")[2].lower() in PLACEHOLDERS:
             continue
-        types = _Types(topic, system)
+        types = _Types(topic, system, lines)
         for pair, ends in by_types(topic.publishers, topic.subscribers, types.differ).items():
             about = by_place.setdefault((named_at(_wrong(tuple(ends))), *pair), {})
             about[topic] = None
@@ -51,13 +52,18 @@ def check(system: System) -> Iterator[Finding]:
 class _Types:
     """The types that each end of a topic may have, whichever of the alternatives in its code it is."""
 
-    def __init__(self, topic: Channel, system: System) -> None:
+    def __init__(self, topic: Channel, system: System, lines: dict[str, list[str]]) -> None:
         self._system = system
+        self._lines = lines
         self._known: dict[End, frozenset[str | None]] = {}
-        self._alike: dict[tuple[int, str], list[End]] = {}
+        self._choices: dict[tuple[int, str], set[str | None]] = {}
+        self._at: dict[tuple[int, str, str, int], list[End]] = {}
         text = None if system.workspace is None else system.workspace.text
         for end in (end for end in topic.ends if not is_never_made(end, text)):
-            self._alike.setdefault((id(end.node), end.kind), []).append(end)
+            own = (id(end.node), end.kind)
+            self._at.setdefault((*own, end.location.path, end.location.line or 0), []).append(end)
+            if _is_choice(end):
+                self._choices.setdefault(own, set()).add(end.type)
 
     def differ(self, one: End, other: End) -> bool:
         """Whether the types of two ends differ."""
@@ -69,28 +75,32 @@ class _Types:
     def _of(self, end: End) -> frozenset[str | None]:
         """Its type, and those of the ends that the same node has instead: under other conditions that may hold, or in other releases."""
         if end not in self._known:
-            alike = self._alike.get((id(end.node), end.kind), [end])
+            own, at = (id(end.node), end.kind), end.location.line or 0
             if _is_choice(end):
-                self._known[end] = frozenset(other_end.type for other_end in alike if _is_choice(other_end))
+                self._known[end] = frozenset(self._choices.get(own, {end.type}))
             else:
+                near = range(at - _STATEMENT, at + _STATEMENT + 1)
                 beside = (
-                    other_end for other_end in alike if other_end is end or _is_beside(other_end, end, self._system)
+                    other.type
+                    for line in near
+                    for other in self._at.get((*own, end.location.path, line), ())
+                    if self._is_beside(end.location.path, *sorted((at, line)))
                 )
-                self._known[end] = frozenset(other_end.type for other_end in beside)
+                self._known[end] = frozenset((end.type, *beside))
         return self._known[end]
+
+    def _is_beside(self, path: str, first: int, last: int) -> bool:
+        """Whether ends on two lines are the two sides of one conditional expression, which the model has no condition for."""
+        if self._system.workspace is None:
+            return False
+        if path not in self._lines:
+            self._lines[path] = self._system.workspace.text(path).split("\n")
+        text = "\n".join(self._lines[path][max(first - 2, 0) : last])
+        return re.search(r"\?[^:]+:|\sif\b.+\selse\b", text, re.DOTALL) is not None
 
 
 def _is_choice(end: End) -> bool:
     return bool(end.conditions) or end.raw.source == "known-node"
-
-
-def _is_beside(one: End, other: End, system: System) -> bool:
-    """Whether they are the two sides of one conditional expression, which the model has no condition for."""
-    (first, last), path = sorted((one.location.line or 0, other.location.line or 0)), one.location.path
-    if path != other.location.path or last - first > _STATEMENT or system.workspace is None:
-        return False
-    text = "\n".join(system.workspace.text(path).split("\n")[max(first - 2, 0) : last])
-    return re.search(r"\?[^:]+:|\sif\b.+\selse\b", text, re.DOTALL) is not None
 
 
 def _finding(about: tuple[Channel | End, ...], published: str, taken: str) -> Finding:

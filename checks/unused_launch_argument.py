@@ -6,6 +6,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from difflib import get_close_matches
+from functools import cached_property
 
 from haros_ci.api import Check, Finding, Level, Location, System, listed, regex, spelled_out
 from haros_ci.api.launch import ArgumentDeclaration, IncludeUse, PassedArgument, included_by, is_nested, meant, owner
@@ -43,6 +44,8 @@ _CLOCK = "use_sim_time"
 _SHOWN = 3
 #: So many arguments of one include are named.
 _NAMED = 5
+#: So many names are compared with that of an argument.
+_MOST = 200
 _TAG = regex(r"<arg\b(?:[^<>\"']|\"[^\"]*\"|'[^']*'){0,400}>")
 _VALUES = regex(r"\"[^\"]*\"|'[^']*'")
 
@@ -77,18 +80,24 @@ def check(system: System) -> Iterator[Finding]:
                 level=Level.NOTE if passed.name == _CLOCK and not similar else None,
                 presence=use.presence,
             )
+    texts: dict[str, _Text] = {}
     for argument in system.facts(ArgumentDeclaration):
-        if argument.is_used is False and not any(
-            why(argument, system) for why in (_stands_in, _is_passed, _is_kept, _is_read_by_code)
+        if argument.is_used is not False:
+            continue
+        text = texts.get(argument.location.path)
+        if text is None:
+            text = texts[argument.location.path] = _Text(system, argument.location.path)
+        if not _is_kept(argument, text) and not any(
+            why(argument, system) for why in (_stands_in, _is_passed, _is_read_by_code)
         ):
-            is_set = argument.ros == 1 and _is_set(argument, system)
+            is_set = argument.ros == 1 and _is_set(argument, text)
             what = "is set to a fixed value" if is_set else "is declared"
             so = "" if is_set else " setting it has no effect;"
             if not is_set and argument.default is None and argument.ros == 1:
                 so = " as it has no default, who includes or starts the file has to set it, for nothing;"
             yield Finding(
                 at=argument.location,
-                message=f"launch argument {argument.name!r} {what}, but never read:{so} {_advice(argument, system)}",
+                message=f"launch argument {argument.name!r} {what}, but never read:{so} {_advice(argument, text)}",
                 about=(argument.name,),
                 apart=(argument.name,),
                 flow=included_by(argument),
@@ -134,19 +143,30 @@ def _passed_with_all(
     )
 
 
-def _is_set(argument: ArgumentDeclaration, system: System) -> bool:
+class _Text:
+    """The text of a launch file, which all of its arguments are looked up in."""
+
+    def __init__(self, system: System, path: str) -> None:
+        self.whole = system.workspace.text(path) if system.workspace is not None else ""
+        self.lines = self.whole.splitlines()
+
+    @cached_property
+    def undeclared(self) -> list[str]:
+        """Names that it reads and does not declare."""
+        return sorted({*_names(_READ, self.whole)} - {*_names(_DECLARED, self.whole)})[:_MOST]
+
+
+def _is_set(argument: ArgumentDeclaration, text: _Text) -> bool:
     """Whether the ``<arg>`` of ROS 1 has a ``value``: nobody can set it."""
     at = argument.location
-    lines = _text(argument, system).splitlines()[(at.line or 1) - 1 :][:LINES]
+    lines = text.lines[max((at.line or 1) - 1, 0) :][:LINES]
     tag = _TAG.search("\n".join(lines), max((at.column or 1) - 1, 0))
     return tag is not None and re.search(r"\svalue\s*=", _VALUES.sub("''", tag[0])) is not None
 
 
-def _advice(argument: ArgumentDeclaration, system: System) -> str:
+def _advice(argument: ArgumentDeclaration, text: _Text) -> str:
     """What to do; with the name that the file reads without declaring it, where that is nearly the same."""
-    text = _text(argument, system)
-    read = {*_names(_READ, text)} - {*_names(_DECLARED, text)}
-    near = get_close_matches(argument.name, sorted(read), 1, _NEAR)
+    near = get_close_matches(argument.name[:100], text.undeclared, 1, _NEAR)
     if near:
         return f"the file reads {near[0]!r}, which it does not declare: give both the same name"
     return "use it, or remove the declaration"
@@ -154,10 +174,6 @@ def _advice(argument: ArgumentDeclaration, system: System) -> str:
 
 def _names(pattern: re.Pattern[str], text: str) -> Iterator[str]:
     return (match[1] or match[2] for match in pattern.finditer(text))
-
-
-def _text(argument: ArgumentDeclaration, system: System) -> str:
-    return system.workspace.text(argument.location.path) if system.workspace is not None else ""
 
 
 def _is_read_by_code(argument: ArgumentDeclaration, system: System) -> bool:
@@ -223,22 +239,20 @@ def _is_passed(argument: ArgumentDeclaration, system: System) -> bool:
     return any(argument.name in passed and file.fullmatch(path) for file, passed in system.whole.chosen_files)
 
 
-def _is_kept(argument: ArgumentDeclaration, system: System) -> bool:
+def _is_kept(argument: ArgumentDeclaration, text: _Text) -> bool:
     """Whether its description, or a comment beside or above it, says that it is there although nothing reads it."""
-    if system.workspace is None:
-        return False
-    lines = system.workspace.text(argument.location.path).splitlines()
+    lines = text.lines
     at = (argument.location.line or 1) - 1
     start = _comment_above(lines, at)
     first, *rest = lines[at : at + LINES] or [""]
     after = "\n".join(rest)
     following = _NEXT.search(after)
-    text = "\n".join((*lines[start:at], first, after[: following.start()] if following is not None else after))
+    near = "\n".join((*lines[start:at], first, after[: following.start()] if following is not None else after))
     above = "\n".join((*lines[start:at], first))
     below = lines[at + 1] if at + 1 < len(lines) and _COMMENT.match(lines[at + 1]) else ""
     return any(
         pattern.search(item)
-        for pattern, item in ((_KEPT, text), (_NEEDED, _comments(above)), (_NOT_TO_GO, _comments(below)))
+        for pattern, item in ((_KEPT, near), (_NEEDED, _comments(above)), (_NOT_TO_GO, _comments(below)))
     )
 
 

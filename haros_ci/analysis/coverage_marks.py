@@ -65,8 +65,11 @@ def _marks(made: Linked, workspace: Workspace, settings: Settings, calls: Calls 
     pending = [site for site in coverage.found(users.paths) if not places.has(site)]
     area = coverage.areas()
     marks: dict[str, list[Unknown]] = {}
+    where = Syntax(coverage.code)
     for site, names in _of_nodes(pending, users):
-        if area(site.source) != PRODUCTION or not _is_missing(coverage, site, places):
+        if all(len(marks.get(name, ())) >= MOST for name in names):
+            continue
+        if area(site.source) != PRODUCTION or not _is_missing(coverage, where, site, places):
             continue
         reason = f"{shown(workspace.text(site.source.path), site.call)}{NOT_IN}"
         unknown = Unknown("endpoints", reason, Location(site.source.path, site.start_line, site.start_column))
@@ -83,14 +86,18 @@ def _of_nodes(pending: list[TextSite], users: Users) -> Iterator[tuple[TextSite,
             yield site, names
 
 
-def _is_missing(asked: CoverageJudge, site: TextSite, places: Places) -> bool:
+def _is_missing(asked: CoverageJudge, where: Syntax, site: TextSite, places: Places) -> bool:
     """Whether a site that stands at no endpoint may be a call of a ROS API whose endpoint is not at the caller's place."""
     code = asked.code
-    where = Syntax(code)
     placed = where.of(site)
     if placed is not None:
         name = last_name(placed[0].method.function.name)
-        if name in judge.WRAPPERS or not _is_used(asked, placed[0].method, name):
+        if name in judge.WRAPPERS:
+            return False
+        key = ("is used", id(placed[0].method.function))
+        if key not in code.kept:
+            code.kept[key] = _is_used(asked, placed[0].method, name)
+        if not code.kept[key]:
             return False
     return judge.other(code, where, site, Seen(places, {}, {})) is None
 

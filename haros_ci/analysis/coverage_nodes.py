@@ -50,6 +50,7 @@ class Users:
         self._ends = ends
         self._sources = {source.path: source for source in sources if source.path in ends}
         self._files: dict[str, _File] = {}
+        self._classes: dict[tuple[str, str], frozenset[str]] = {}
 
     @property
     def paths(self) -> Collection[str]:
@@ -67,12 +68,19 @@ class Users:
         file = self._file(path)
         number = file.around(line)
         owner = file.functions[number].owner if number >= 0 else ""
-        same = [n for n, function in enumerate(file.functions) if owner and function.owner == owner]
-        for numbers in ([number], same, () if self._within else file.users):
-            found = frozenset[str]().union(*(file.users.get(number, frozenset()) for number in numbers))
-            if found:
-                return tuple(sorted(found))
-        return ()
+        found = file.users.get(number) or (self._of_class(path, owner) if owner else frozenset())
+        if not found and not self._within:
+            found = self._of_class(path, "")
+        return tuple(sorted(found))
+
+    def _of_class(self, path: str, owner: str) -> frozenset[str]:
+        """The node types with an endpoint in a method of the class *owner*; with "" those with one anywhere in the file."""
+        if (path, owner) not in self._classes:
+            users = self._file(path).users
+            functions = self._file(path).functions
+            own = (names for at, names in users.items() if not owner or (at >= 0 and functions[at].owner == owner))
+            self._classes[path, owner] = frozenset[str]().union(*own)
+        return self._classes[path, owner]
 
     def _file(self, path: str) -> _File:
         if path not in self._files:

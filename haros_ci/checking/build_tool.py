@@ -24,13 +24,13 @@ def undeclared_build_tools(project: Project) -> Iterator[Finding]:
     """One finding for a package whose manifest has no dependency on its build tool, where no other need tells of it (a dependency that is
     known nowhere may bring it: a warning).
     """
-    bringing = _bringing(project)
+    bringing, provisions = _bringing(project), Provisions(project)
     for package in project.packages:
         if package.manifest is not None:
-            yield from _lacking(package, bringing)
+            yield from _lacking(package, bringing, provisions)
 
 
-def _lacking(package: ProjectPackage, bringing: frozenset[str]) -> Iterator[Finding]:
+def _lacking(package: ProjectPackage, bringing: frozenset[str], provisions: Provisions) -> Iterator[Finding]:
     catkin = always_called(package, *CATKIN)
     kinds = {need.kind for need in needs(package) if need.name == "catkin"}
     if (
@@ -39,7 +39,7 @@ def _lacking(package: ProjectPackage, bringing: frozenset[str]) -> Iterator[Find
         and catkin is not None
         and always_called(package, *AMENT) is None
         and "buildtool_depend" not in kinds
-        and not _is_undeclared(package, "catkin")
+        and not _is_undeclared(package, "catkin", provisions)
     ):
         is_built = bool(kinds & {"build_depend", "depend"})
         stops = catkin.name == "catkin_package" and not is_built
@@ -58,7 +58,7 @@ def _lacking(package: ProjectPackage, bringing: frozenset[str]) -> Iterator[Find
     if package.ros == 2 and found is not None and [word(e) for e in build_types(package)] == ["ament_cmake"]:
         if not any(_is_cmake(need.name) or need.name in bringing for need in needs(package, *BUILD)):
             name = found.arguments[0]
-            if _is_undeclared(package, name) or _is_brought(package, name):
+            if _is_undeclared(package, name, provisions) or _is_brought(package, name, provisions):
                 return
             yield _finding(
                 package,
@@ -74,18 +74,16 @@ def _lacking(package: ProjectPackage, bringing: frozenset[str]) -> Iterator[Find
             )
 
 
-def _is_undeclared(package: ProjectPackage, name: str) -> bool:
+def _is_undeclared(package: ProjectPackage, name: str, provisions: Provisions) -> bool:
     """Whether undeclared-dependency tells that the manifest lacks the CMake package *name*."""
-    provisions = Provisions(package.project)
     provided = provisions.of(package, tests=False)
     uses = (use for use in needs_of(package, package.project.sources) if use.what == f"find_package({name})")
     return any(provisions.lacks(provided, use.providers) for use in uses)
 
 
-def _is_brought(package: ProjectPackage, name: str) -> bool:
+def _is_brought(package: ProjectPackage, name: str, provisions: Provisions) -> bool:
     """Whether what the manifest declares brings the CMake package *name* along: rosidl_default_generators has ament_cmake."""
     waiting, seen = [need.name for need in needs(package, *BUILD)], set[str]()
-    provisions = Provisions(package.project)
     while waiting:
         brought = (provisions.brought(waiting.pop(), 2) or frozenset()) - seen
         if name in brought:

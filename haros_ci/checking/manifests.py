@@ -26,6 +26,9 @@ EXEC = ("exec_depend", "run_depend", "depend")
 #: Those that come with a package wherever another one needs it (REP 149: build_export_depend, buildtool_export_depend, exec_depend).
 EXPORTED = ("build_export_depend", "buildtool_export_depend", *EXEC)
 
+#: Packages that are looked through for what others bring along; a distribution has some 2,000 in all.
+MOST = 3_000
+
 
 def holds(package: ProjectPackage, condition: str | None) -> bool | None:
     """Whether *condition* holds under the package's ROS; None if it depends on anything else."""
@@ -135,6 +138,8 @@ def brings(package: ProjectPackage, names: Iterable[str], *targets: str) -> bool
         if name in seen:
             continue
         seen.add(name)
+        if len(seen) > MOST:
+            return None
         other = project.package(name)
         if other is not None:
             rest += [need.name for need in needs(other, *EXPORTED)]

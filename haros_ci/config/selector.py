@@ -17,6 +17,8 @@ from haros_ci.results.rule import Rule
 Rank = tuple[int, int]
 NO_MATCH: Rank = (-1, 0)
 MAX_NOTES = 20
+#: Different words in comments that are compared with the rules: each costs some milliseconds.
+MAX_WORDS = 500
 #: What is to be said against an id as a rule of a tool: whether it must be a mistake, and a help text; None where nothing is.
 Doubt = Callable[[str, str], tuple[bool, str] | None]
 _EVERYTHING, _TOOL_OR_TAG, _GLOB, _ALIAS, _ID, _FULL_ID = range(6)
@@ -181,8 +183,14 @@ def slip_finder(
     """
     names = tuple(sorted(tools))
     known: list[_KnownNames] = []  # made when first needed
+    found: dict[str, str] = {}
 
     def slip(selector: str) -> str:
+        if selector not in found:
+            found[selector] = looked_up(selector) if len(found) < MAX_WORDS else ""
+        return found[selector]
+
+    def looked_up(selector: str) -> str:
         if not known:
             known.append(_KnownNames(names, catalogue, open_tools, identifiers))
         if is_glob(selector) or selector.startswith("user:") or known[0].names_something(selector):

@@ -17,6 +17,9 @@ from haros_ci.values.abstract import NONE, Callable, Choice, Known, Object, Poin
 #: Why what a callback makes may not be made.
 ONE_OF = "one of several functions is called back"
 
+#: Why what further callbacks make may be missing.
+BEYOND = f"there are more callbacks than the {ROOTS} that are followed"
+
 #: Transitions of managed nodes (design.ros2.org/articles/node_lifecycle.html): a launch file's manager brings them up.
 SETUP = frozenset(("on_configure", "on_activate"))
 TEARDOWN = frozenset(("on_deactivate", "on_cleanup", "on_shutdown", "on_error"))
@@ -131,15 +134,25 @@ def _is_endless(walk: Walk, function: Callable) -> bool:
 
     In a rehearsal one stands for all of them: what it makes is seen where it is registered in earnest.
     """
+    if len(walk.roots) >= ROOTS:  # those beyond are not followed, and not counted either
+        if not walk.quiet:
+            beyond(walk, function)
+        return True
     registered = sum(root.function.function is function.function for root in walk.roots)
     if walk.quiet:
         return registered > 0
-    if registered < (CHAIN if walk.is_called_back else ROOTS):
+    if registered < CHAIN or not walk.is_called_back:
         return False
     if walk.relevance.makes(function.function, function.source):
         reason = f"{function.function.name or 'a function'} is called back for more objects than are followed"
         walk.gaps.setdefault(reason, Location(function.source.path, function.function.line))
     return True
+
+
+def beyond(walk: Walk, function: Callable) -> None:
+    """*function* is one callback more than are followed: what it makes may be missing."""
+    if walk.relevance.makes(function.function, function.source):
+        walk.gaps.setdefault(BEYOND, Location(function.source.path, function.function.line))
 
 
 def framework_entries(walk: Walk, this: Object) -> None:

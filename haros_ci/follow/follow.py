@@ -12,6 +12,7 @@ from haros_ci.follow import (
     activation,
     alternatives,
     call_arguments,
+    callbacks,
     commands,
     construct,
     counters,
@@ -176,6 +177,8 @@ def _call_back(walk: Walk, frame: Frame) -> None:
             if root.is_update:
                 forget_again(walk, made)
         done += len(batch)
+    for root in walk.roots[ROOTS:]:
+        callbacks.beyond(walk, root.function)
 
 
 def _counted(first: Writes, second: Writes) -> Writes:

@@ -6,6 +6,7 @@ from __future__ import annotations
 from collections.abc import Callable as Function_
 from collections.abc import Mapping
 from dataclasses import replace
+from itertools import islice
 from typing import TYPE_CHECKING
 
 from haros_ci.graph.parameters import Setting
@@ -58,6 +59,26 @@ class MadeEntity:
     unknowns: tuple[tuple[str, str, Location | None], ...] = ()
     #: The name as the call gives it, ``?`` for its unknown parts.
     written: str | None = field(default=None, compare=False)
+
+
+class Entities(dict[Key, MadeEntity]):
+    """What was made, by key."""
+
+    __slots__ = ("_keys",)
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._keys: dict[tuple[str, object], dict[Key, None]] = {}
+
+    def note(self, key: Key, made: MadeEntity) -> None:
+        """Keep what was *made* so that ``of`` finds it."""
+        self[key] = made
+        for what in (made.name, made.location):
+            self._keys.setdefault((made.kind, what), {})[key] = None
+
+    def of(self, kind: str, what: str | Location | None) -> list[tuple[Key, MadeEntity]]:
+        """What was made of a *kind* under that name, or in that place."""
+        return [(key, self[key]) for key in self._keys.get((kind, what), ()) if key in self]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -150,7 +171,7 @@ def make(walk: Walk, made: MadeEntity) -> None:
         made = replace(made, conditions=conditions, unknowns=unknowns, dead=dead)
     if known is not None and (known.conditions != conditions or known.dead != dead):
         walk.news += 1
-    walk.made[key] = made
+    walk.made.note(key, made)
     if walk.lacking and len(walk.lacking) == walk.ruled_out() == dead:
         walk.lacks[key] = tuple(walk.lacking)
 
@@ -264,7 +285,7 @@ def forget_dead(walk: Walk, known: int) -> None:
     a turn that takes one makes nothing behind it where another does not take it.
     """
     if len(walk.made) > known:
-        since = list(walk.made.items())[known:]
+        since = list(islice(reversed(walk.made.items()), len(walk.made) - known))[::-1]
         least: dict[tuple[str, Location], tuple[int, bool]] = {}
         for _, made in since:
             place, count = (made.kind, made.location), (made.dead, made.is_behind)

@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from haros_ci import syntax
-from haros_ci.follow import expressions, linear, lookup, members, overloads
+from haros_ci.follow import expressions, linear, lookup, many_overloads, members, overloads
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.walk import Walk
 from haros_ci.index.index import Source
@@ -193,6 +193,8 @@ def templates_of(walk: Walk, this: Object, owner: str) -> Mapping[str, syntax.Ar
 
 def overload(walk: Walk, candidates: list[Found], arguments: Given) -> Found:
     """The definition that takes the *arguments* of the call, with its body if it has one; of several bodies none for certain."""
+    if len(candidates) > overloads.MOST:  # each call would compare its arguments with all of them
+        return many_overloads.one_of(walk, candidates)
     candidates = overloads.compiled(walk, candidates)
     fitting = candidates
     if arguments is not None:

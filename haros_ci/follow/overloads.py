@@ -36,6 +36,8 @@ STRICT = (syntax.Number, syntax.Lambda, syntax.NestedFunction)
 ACCESSORS = frozenset(("setter", "deleter", "getter"))
 #: Classes of bases that are looked into.
 BASES = 12
+#: Functions of one name that are compared with the arguments of a call.
+MOST = 200
 
 
 def nearest(walk: Walk, found: list[Found], source: Source) -> list[Found]:

@@ -110,13 +110,14 @@ def member_called(
 
 def static_type(walk: Walk, frame: Frame, expression: Expression) -> Type | None:
     """The declared (resolved) type of *expression*; what it makes and changes is not kept."""
-    mark = walk.state.mark()
+    before, mark = walk.state.last_mark, walk.state.mark()
     walk.quiet += 1
     try:
         return _static_type(walk, frame, expression)
     finally:
         walk.quiet -= 1
         walk.state.undo(mark)
+        walk.state.last_mark = before
 
 
 def _static_type(walk: Walk, frame: Frame, expression: Expression) -> Type | None:

@@ -12,7 +12,7 @@ from haros_ci import syntax
 from haros_ci.follow.command import Commands
 from haros_ci.follow.context import Context, Exact
 from haros_ci.follow.frames import Frame, Loop, looked_up_from
-from haros_ci.follow.made import Key, MadeEntity, Root
+from haros_ci.follow.made import Entities, Key, MadeEntity, Root
 from haros_ci.follow.ros.own_name import Naming
 from haros_ci.follow.thrown import Trial
 from haros_ci.follow.twins import Standing, Twin
@@ -79,7 +79,7 @@ class Walk:
     state: State = field(default_factory=State)
     conditions: list[Condition] = field(default_factory=list)
     holding: int = 0  #: how many of these are known to hold
-    made: dict[Key, MadeEntity] = field(default_factory=dict)
+    made: Entities = field(default_factory=Entities)
     #: Timers and rates by place, period and node, each with the object whose method makes it (``ros.paces``).
     paces: dict[Key, tuple[MadeEntity, Object | None]] = field(default_factory=dict)
     roots: list[Root] = field(default_factory=list)
@@ -208,7 +208,7 @@ class Walk:
     def step(self) -> None:
         self.steps += 1
         self.quiet_steps += self.quiet > 0
-        if self.quiet_steps > self.most or self.steps - self.quiet_steps > self.most:
+        if self.quiet_steps > self.most or self.steps - self.quiet_steps > self.most or self.state.is_full:
             raise OutOfSteps
 
     def enter(self, function: Function) -> None:

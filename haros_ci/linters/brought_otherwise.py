@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from haros_ci.linters import (
+    absent_parts,
     endpoint_macros,
     given_endpoints,
     lone_returns,
@@ -13,6 +14,7 @@ from haros_ci.linters import (
     refused_interfaces,
     seen_otherwise,
     started_instead,
+    swapped_types,
     unbound_names,
     used_aside,
 )
@@ -31,6 +33,8 @@ _LOOKS = (
     unbound_names,
     missing_names,
     refused_interfaces,
+    absent_parts,
+    swapped_types,
 )
 
 

@@ -49,18 +49,21 @@ class Work:
     #: The results that jobs of earlier batches have used, and those of the present batch by the place of the job.
     seen: dict[str, int] = field(default_factory=dict)
     here: dict[str, tuple[int, int]] = field(default_factory=dict)
+    #: The steps of those of earlier batches together; the last place of the present one, and its steps together.
+    earlier: int = 0
+    so_far: tuple[int, int] = -1, 0
 
     @property
     def is_over(self) -> bool:
         """Whether all steps of the workspace are used up."""
-        return sum(self.seen.values()) > OF_ALL
+        return self.earlier > OF_ALL
 
     def do(self, jobs: Sequence[Job], order: Sequence[int]) -> dict[int, Done]:
         """What each of *jobs* with a number in *order* gives, by this number, begun in that order.
 
         Those of which the turn comes when the steps are used up make nothing that is known.
         """
-        self.here = {}
+        self.here, self.so_far = {}, (-1, 0)
         tasks = [partial(self._done, place, jobs[number]) for place, number in enumerate(order)]
         done = dict(zip(order, self.share(tasks, [jobs[number].group for number in order]), strict=True))
         for number in order:
@@ -69,21 +72,25 @@ class Work:
             if self.is_over and jobs[number].group is not None:
                 done[number] = replace(done[number], result=_left_out(jobs[number]))
             else:
+                self.earlier += sum(steps for digest, steps in done[number].used.items() if digest not in self.seen)
                 self.seen.update(done[number].used)
         return done
 
     def _done(self, place: int, job: Job) -> Done:
         """Do a job, in whichever process; not where what this process has done for earlier places is too much already."""
-        earlier = sum(steps for before, steps in self.here.values() if before < place)
-        if job.group is not None and earlier + sum(self.seen.values()) > OF_ALL:
+        last, steps_here = self.so_far
+        if last >= place:
+            steps_here = sum(steps for before, steps in self.here.values() if before < place)
+        if job.group is not None and self.earlier + steps_here > OF_ALL:
             return Done(_left_out(job), (), {}, {})
         before = len(self.types.fresh)
         self.types.used.clear()
         made = job.follow()
         used = dict(self.types.used)
         for digest, steps in used.items():
-            if digest not in self.seen:
-                self.here.setdefault(digest, (place, steps))
+            if digest not in self.seen and digest not in self.here:
+                self.here[digest] = (place, steps)
+                self.so_far = max(self.so_far[0], place), self.so_far[1] + steps
         return Done(made, self.types.fresh[before:], self.types.counted, used)
 
 

@@ -15,6 +15,8 @@ CONTENTS = frozenset((tuple, dict, Partial))
 PLAIN = frozenset((Known, Opaque))
 #: Elements of a sequence on some paths that are kept; the latest count.
 OTHERS = 16
+#: Whole contents of sequences and maps are kept for each write to them: elements up to which that goes on.
+MOST_KEPT = 6_000_000
 #: What cells held (or hold), by cell.
 Writes = dict[Slot, object]
 
@@ -36,24 +38,43 @@ class State:
 
     def __init__(self) -> None:
         self._log: list[tuple[Slot, object]] = []
+        self.last_mark = 0  #: the last point that somebody may come back to
+        self._contents: dict[Slot, int] = {}  # where in the log a sequence or map was written last
+        self._kept = 0  # elements of these in the log
+
+    @property
+    def is_full(self) -> bool:
+        """Whether the log holds more contents of sequences and maps than a node may have."""
+        return self._kept > MOST_KEPT
 
     def write(self, cell: Cell[Content], value: Content) -> None:
-        self._log.append((cell, cell.value))
-        cell.value = value
+        self.put(cell, value)
 
     def put(self, cell: Slot, value: object) -> None:
         """Let a cell hold what it has held before, or a join with that: what stands for it in ``Writes``."""
-        self._log.append((cell, cell.value))
+        old = cell.value
+        if old.__class__ is dict or old.__class__ is tuple:
+            self._note(cell, old)
+        else:
+            self._log.append((cell, old))
         cell.value = value
 
     def forget(self, cell: Slot, reason: Opaque) -> None:
         """What a cell holds is not known any more; this can be said of each kind of cell."""
-        self._log.append((cell, cell.value))
-        cell.value = reason
+        self.put(cell, reason)
+
+    def _note(self, cell: Slot, old: dict[object, object] | tuple[object, ...]) -> None:
+        """A sequence or map was *old*: each write copies it, so that between two marks the first one alone is kept."""
+        at = self._contents.get(cell, -1)
+        if not (self.last_mark <= at < len(self._log) and self._log[at][0] is cell):
+            self._contents[cell] = len(self._log)
+            self._kept += len(old)
+            self._log.append((cell, old))
 
     def mark(self) -> int:
         """A point to come back to."""
-        return len(self._log)
+        self.last_mark = len(self._log)
+        return self.last_mark
 
     def since(self, mark: int) -> Writes:
         """The cells written since *mark*, with what they hold now."""
@@ -79,12 +100,18 @@ class State:
         while len(self._log) > mark:
             cell, old = self._log.pop()
             cell.value = old
+            if size := _size(old):
+                self._kept -= size
+                self._contents.pop(cell, None)
+        self.last_mark = min(self.last_mark, mark)
         return writes
 
     def settle(self, mark: int, begun: int) -> None:
         """What cells that were made after the tick *begun* hold stays, whichever branch made them: it is not made again."""
         kept = [entry for entry in self._log[mark:] if entry[0].born <= begun]
+        self._kept -= sum(_size(old) for cell, old in self._log[mark:] if cell.born > begun)
         self._log[mark:] = kept
+        self.last_mark = min(self.last_mark, len(self._log))
 
     def merge(self, branches: list[Writes]) -> None:
         """Let each cell hold the join of what it holds after each branch; a branch that leaves it alone counts, too."""
@@ -103,8 +130,12 @@ class State:
                     other = branch.get(cell, held)
                     if other is not value:
                         value = joined(value, other)
-            self._log.append((cell, held))
-            cell.value = value
+            self.put(cell, value)
+
+
+def _size(old: object) -> int:
+    """How many elements of a sequence or map the log keeps in one entry."""
+    return len(old) if isinstance(old, (dict, tuple)) else 0
 
 
 def _is_same(one: object, other: object) -> bool:

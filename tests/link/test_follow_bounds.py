@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 from follow_kit import cpp, cpp_files, follow, main, names, python_files, script
 
-from haros_ci.follow import walk
+from haros_ci.follow import overloads, walk
 from haros_ci.values import abstract as values
 
 LARGE = "the node is too large to be followed to its end; some of what it makes may be missing"
@@ -208,3 +208,32 @@ def test_aliases_that_multiply() -> None:
         f'{aliases}struct B {{}};\nclass C : public B {{ public: T0 t; void go(ros::NodeHandle& nh) {{ T0 t; nh.advertise<std_msgs::String>("b", 1); }} }};\n',
     )
     assert names(found) == ["/a", "/b"]
+
+
+def test_callbacks_beyond_those_that_are_followed_are_named() -> None:
+    """Each makes something by a helper that the others call, too, so that no call is unseen."""
+    helper = "struct C { ros::NodeHandle nh; std::vector<ros::Publisher> all;\nvoid make(const std::string& name) { all.push_back(ADV(name, 1)); }\n"
+    methods = "".join(f'void c{i}(const std_msgs::String&) {{ make("t{i}"); }}\n' for i in range(walk.ROOTS + 2))
+    body = "C c;\n" + "".join(f'nh.subscribe("s{i}", 1, &C::c{i}, &c);\n' for i in range(walk.ROOTS + 2))
+    found = cpp(body, helper + methods + "};")
+    assert f"/t{walk.ROOTS - 1}" in names(found) and f"/t{walk.ROOTS}" not in names(found)
+    assert [each.reason for each in found.unknowns] == ["there are more callbacks than the 400 that are followed"]
+
+
+def test_callbacks_up_to_the_bound_leave_nothing_open() -> None:
+    """As many as are followed, and any number that make nothing."""
+    quiet = "".join(f"void q{i}(const std_msgs::String&) {{}}\n" for i in range(walk.ROOTS + 2))
+    body = 'ADV("a", 1);\n' + "".join(f'nh.subscribe("s{i}", 1, q{i});\n' for i in range(walk.ROOTS + 2))
+    assert cpp(body, quiet).unknowns == ()
+
+
+def test_a_call_with_more_overloads_than_are_compared_is_not_sure(monkeypatch: pytest.MonkeyPatch) -> None:
+    """None is taken for the right one, and the node says so."""
+    kinds = "".join(f'struct S{i} {{}};\nvoid f(S{i}, ros::NodeHandle& nh) {{ ADV("t{i}", 1); }}\n' for i in range(4))
+    assert names(cpp('ADV("a", 1); f(S2(), nh);', kinds)) == ["/a", "/t2"]
+    monkeypatch.setattr(overloads, "MOST", 3)
+    found = cpp('ADV("a", 1); f(S2(), nh);', kinds)
+    assert names(found) == ["/a"]
+    assert "f has more overloads than are compared with the arguments of a call" in [
+        one.reason for one in found.unknowns
+    ]

@@ -37,6 +37,41 @@ def test_a_state_is_as_it_was(before: Value, writes: list[Value], expected: bool
     assert state.is_as_at(mark, begun) is expected
 
 
+def test_of_many_writes_to_a_map_between_two_marks_one_is_kept() -> None:
+    """Each copies the map: thousands of entries, one by one, would be millions in the log."""
+    state, cell, other = State(), Cell({}), Cell(())
+    before = state.mark()
+    for number in range(100):
+        state.write(cell, {**cell.value, number: ONE})  # type: ignore[dict-item]
+        state.write(other, (*other.value, Cell(ONE)))
+    assert len(state._log) == 2
+    middle = state.mark()
+    state.write(cell, {})
+    state.write(cell, {1: TWO})
+    assert state.undo(middle) == {cell: {1: TWO}}
+    assert len(cell.value) == len(other.value) == 100
+    state.write(cell, {})
+    assert set(state.undo(before)) == {cell, other}
+    assert (cell.value, other.value) == ({}, ())
+    state.write(cell, {1: ONE})
+    assert state.undo(before) == {cell: {1: ONE}} and cell.value == {}
+
+
+def test_a_log_is_full_of_contents_alone(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("haros_ci.values.state.MOST_KEPT", 10)
+    state, cell, plain = State(), Cell(tuple(Cell(ONE) for _ in range(6))), Cell(ONE)
+    start = state.mark()
+    for _ in range(20):
+        state.write(plain, TWO)
+    state.write(cell, cell.value[1:])
+    assert not state.is_full
+    state.mark()
+    state.write(cell, cell.value[1:])
+    assert state.is_full
+    state.undo(start)
+    assert not state.is_full
+
+
 def test_what_all_but_one_leave_behind() -> None:
     cell, other = Cell(ONE), Cell(ONE)
     effects = Effects([{cell: Known(1)}, {}, {cell: Known(2), other: OPEN}, {cell: Known(3)}])

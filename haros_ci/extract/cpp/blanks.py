@@ -82,6 +82,9 @@ _REFERENCE = regex(
     r"([\w>]\s{0,9}&\s{0,9}\w{1,80})\(((?=[^;={}]{0,200}?(?:\w\.\w|->))(?:[^(),;={}]|\([^();={}]{0,100}\)){1,200})\)(?=\s{0,9};)"
 )
 _DIGRAPH = regex(r"^([ \t]*)%:", re.M)
+#: Brackets in other letters (``<:``, ``%>``; [lex.digraph]); ``<::`` is one only before ``:`` or ``>`` ([lex.pptoken]).
+_BRACKET = regex(r"(?P<digraph><%|%>|<::>|<:(?!:(?![:>]))|(?<!:):>)|" + _LEXEME.pattern, re.VERBOSE | re.DOTALL)
+_DIGRAPHS = {"<%": "{ ", "%>": "} ", "<:": "[ ", ":>": "] ", "<::>": "[  ]"}
 _NAME = regex(r"\s(?=\s{0,40}(?!(?:and|or|u8|[RLuU])\b)[A-Za-z_]\w{0,80}\s{0,40}[\"),;])")
 _FOREACH = regex(r"\b(?:BOOST_FOREACH|BOOST_REVERSE_FOREACH|Q_FOREACH|foreach)(?=\s{0,9}\()")
 #: Macros without semicolons in a row.
@@ -110,10 +113,12 @@ def skeleton(text: str) -> str:
 
 
 def readable(text: str) -> str:
-    """*text* without comments, attributes, export macros and Qt's words; ``BOOST_FOREACH(a, b)`` as ``for (a: b)``, ``%:if`` as ``# if``."""
+    """*text* without comments, attributes, export macros and Qt's words; ``BOOST_FOREACH(a, b)`` as ``for (a: b)``, ``%:if`` as ``# if``, ``<:`` as ``[ ``."""
     text = without_comments(text)
     if "%:" in text:
         text = _DIGRAPH.sub(r"\1# ", text)
+    if any(digraph in text for digraph in _DIGRAPHS):
+        text = _BRACKET.sub(lambda match: _DIGRAPHS[match["digraph"]] if match["digraph"] else match.group(), text)
     text = _INCLUDE.sub(r"\1\3\2", text)
     if "[[" in text:
         text = _ATTRIBUTE.sub(lambda match: _spaces(match.group()) if match["attribute"] else match.group(), text)

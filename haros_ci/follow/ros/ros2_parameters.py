@@ -152,7 +152,7 @@ def while_running(applied: Applied, entry: Entry, full: str, value: Value | None
     if value.kind is not bool or value.of(bool):
         return value
     if full.endswith(f":{ros2_nodes.SIM_TIME}") or any(
-        made.read_only is not False for made in walk.made.values() if made.kind == "parameters" and made.name == full
+        made.read_only is not False for _, made in walk.made.of("parameters", full)
     ):
         return value
     return Opaque(SWITCHED, applied.location, syntax.Type("bool"))
@@ -180,9 +180,8 @@ def read_as(walk: Walk, parameter: Value, name: str, kinds: tuple[syntax.Argumen
     if kind is None or walk.quiet or not isinstance(parameter, Object) or "name" not in parameter.fields:
         return
     text = pattern(parameter.fields["name"].value)[0]
-    for key, made in list(walk.made.items()):
-        is_it = made.kind == "getters" and made.location == parameter.location and made.written == text
-        if is_it and made.type is None and not _is_uncertain(walk, parameter, text, made):
+    for key, made in walk.made.of("getters", parameter.location):
+        if made.written == text and made.type is None and not _is_uncertain(walk, parameter, text, made):
             walk.made[key] = replace(made, type=kind)
 
 

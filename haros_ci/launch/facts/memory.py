@@ -8,8 +8,8 @@ from typing import Any
 
 #: Steps for the launch files of one workspace together: twenty times what those of a large one take (384 launches of autoware: 300,000).
 TOGETHER = 6_000_000
-#: Steps that a launch has at least: most take less.
-LEAST = 5_000
+#: Steps that a launch has at least: most take less. Once all are used up it has the fewer ones.
+LEAST, FEWEST = 5_000, 1_000
 
 #: What was launched before, by files, arguments and environment.
 Memo = MutableMapping[tuple[object, ...], Any]
@@ -25,7 +25,9 @@ class LaunchMemory(dict[tuple[object, ...], Any]):
 
 def steps_for(memo: Memo | None, most: int) -> int:
     """The steps that one more launch may take, *most* of them where nothing is counted."""
-    return min(most, max(LEAST, memo.left)) if isinstance(memo, LaunchMemory) else most
+    if not isinstance(memo, LaunchMemory):
+        return most
+    return min(most, max(LEAST, memo.left) if memo.left > 0 else FEWEST)
 
 
 def take(memo: Memo | None, steps: int) -> None:

@@ -9,6 +9,8 @@ import pytest
 from cpp_kit import T, body, function, value
 from syntax_kit import read_cpp
 
+from haros_ci.extract.cpp.blanks import readable
+
 A, B = ("name", "a"), ("name", "b")
 
 
@@ -118,3 +120,18 @@ def test_directives_behind_a_digraph() -> None:
     assert read_cpp(same.format(hash="%:")) == read_cpp(same.format(hash="# "))
     assert value('"%:if"') == ("str", "%:if")
     assert not read_cpp("int f(int a) { return 7 %a; }\n").problems
+
+
+def test_brackets_in_other_letters() -> None:
+    code = 'void f(T n) { int a[ 3] = { 1} ; auto g = [ &] (int i) { n.pub<T>("b", a[ 0] ); } ; } '
+    digraphs = code.replace("[ ", "<:").replace("] ", ":>").replace("{ ", "<%").replace("} ", "%>")
+    assert not {*"{}["} & {*digraphs}
+    assert read_cpp(digraphs) == read_cpp(code)
+    assert read_cpp("int f() { int a<::> = <%1%>; }") == read_cpp("int f() { int a[  ] = { 1} ; }")
+
+
+@pytest.mark.parametrize(
+    "code", ["v<::A> x;", 'auto x = "<: %> :>";', 'auto x = R"(<%)";', "auto x = '%>';", "auto x = a<b::c>(0);"]
+)
+def test_what_is_no_bracket(code: str) -> None:
+    assert readable(code) == code
