@@ -20,7 +20,7 @@ from haros_ci.api import (
 )
 
 #: The names of topics that drivers, robot_state_publisher, rviz, the navigation stacks and image_pipeline have, by type: their documentation at
-#: wiki.ros.org and docs.ros.org. Names of less than five letters are too short to be told from others.
+#: wiki.ros.org and docs.ros.org. Names of less than five letters are too short: one letter makes another word of them.
 NAMES = {
     "diagnostic_msgs/DiagnosticArray": ("diagnostics", "diagnostics_agg"),
     "geometry_msgs/PoseStamped": ("goal_pose", "clicked_pose"),
