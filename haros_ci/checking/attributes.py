@@ -305,7 +305,11 @@ def _is_made(code: Codebase, name: str, *, is_alone: bool) -> bool:
     if not is_alone:
         return True
     short = name.rpartition(".")[2]
-    return _PARTIAL.search(short) is None and any(short in called_in(code, path) for path in code.mentioning(short))
+    return _PARTIAL.search(short) is None and any(
+        short in called_in(code, path)
+        for path in code.mentioning(short)
+        if code.by_path[path].program.language == "python"
+    )
 
 
 def _place(code: Codebase, routine: Routine, name: str) -> Location:
