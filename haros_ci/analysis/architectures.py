@@ -21,6 +21,7 @@ if TYPE_CHECKING:  # they are loaded where there is something to check
     from haros_ci.analysis.architecture_codec import Lines
     from haros_ci.analysis.kept_architecture import KeptArchitectures
     from haros_ci.behaviour.declared import Stated
+    from haros_ci.checking.doors import Doors
     from haros_ci.checking.project import Project
     from haros_ci.checking.system import System
     from haros_ci.code.codebase import Codebase
@@ -137,13 +138,18 @@ def project_of(
     project_file: str = "",
     stated: Sequence[Stated] | None = None,
     access: Sequence[AccessRule] = (),
+    hidden: frozenset[str] = frozenset(),
+    code: Callable[[], Codebase] | None = None,
+    doors: Doors | None = None,
 ) -> Project:
     """What the checks of packages see, from what the architecture was *made* of; *base* is that of the base revision.
 
-    *stated* are the properties that count in place of those of the project file.
+    *stated* are the properties that count in place of those of the project file, *code* is the call graph in place of that of all texts. Where files
+    are *hidden*, their programs are refused (``checking.unseen``).
     """
     from haros_ci.analysis.comparison import revision_of
     from haros_ci.checking.project import Project
+    from haros_ci.checking.unseen import NoRobots, PartPrograms
     from haros_ci.robot.descriptions import Descriptions
     from haros_ci.workspace.xml import XmlError, parse_xml
 
@@ -153,7 +159,7 @@ def project_of(
         except (XmlError, UnicodeEncodeError):
             return None
 
-    def code() -> Codebase:
+    def of_all() -> Codebase:
         from haros_ci.analysis.code_of import code_of
 
         with stage("call graph"):
@@ -163,15 +169,16 @@ def project_of(
     return Project(
         workspace,
         made.builds,
-        programs,
+        PartPrograms(programs, hidden) if hidden else programs,
         systems,
         read_xml=element,
         base=base,
         renames=renames,
-        revision=revision_of(workspace, made),
-        robots=Descriptions(workspace, made.builds),
-        code=code,
+        revision=None if code else revision_of(workspace, made),
+        robots=NoRobots() if code else Descriptions(workspace, made.builds),
+        code=code or of_all,
         project_file=project_file,
         stated=stated,
         access=access,
+        doors=doors,
     )

@@ -25,6 +25,7 @@ if TYPE_CHECKING:  # they are loaded where there is something to check
     from haros_ci.checking.check import Check
     from haros_ci.checking.project import Project
     from haros_ci.checking.system import System
+    from haros_ci.checking.unseen import Held, Part
     from haros_ci.workspace.base import Base
 
 Progress = Callable[[str], None]
@@ -71,6 +72,7 @@ def _inspected(
     chosen = chosen_checks(workspace, selection, known)
     with stage("loading"):
         from haros_ci.analysis.cut_short import cut_short
+        from haros_ci.analysis.kept_findings import KeptFindings, parts_of
         from haros_ci.analysis.launch_faults import refused
         from haros_ci.analysis.same_model import moved_lines
         from haros_ci.analysis.unmodelled import lacking
@@ -107,9 +109,18 @@ def _inspected(
     kept, of = architectures.keeping(), base.workspace if base is not None and moved is not None else workspace
     before = kept.sentences(of) if kept is not None else None
     beside = partial(lacking, made, workspace, settings) if before is None else partial(tuple[str, ...], before)
+    held: Held | None = None
+    parts: tuple[Part, ...] = ()
+    findings = KeptFindings(options_of(settings, known), architectures.store)
+    if kept is not None and base is None:
+        parts = parts_of(made, workspace, where, tuple(access))
+    elif kept is not None and base is not None and moved is not None:
+        held = findings.get(base.workspace, workspace, made.builds, moved)
     of_systems, of_project, changes, sentences = run_all(
-        chosen, all_systems, project, own.TOOL, under, share, old, beside
+        chosen, all_systems, project, own.TOOL, under, share, old, beside, parts, held
     )
+    if parts:
+        findings.put(workspace, made.builds, of_systems, of_project)
     if kept is not None and before is None:
         kept.put_sentences(of, sentences)
     failures = (*of_systems.notifications, *of_project.notifications)

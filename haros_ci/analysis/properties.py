@@ -8,9 +8,10 @@ from functools import partial
 
 from haros_ci.analysis.architectures import Architectures, project_of
 from haros_ci.behaviour.declared import WORKSPACE, Owner, Stated, in_file, in_project
+from haros_ci.checking.checked import Checked
 from haros_ci.checking.project import Project
 from haros_ci.checking.properties import find_file
-from haros_ci.checking.run import Checked, run_on_project
+from haros_ci.checking.run import run_on_project
 from haros_ci.checking.system import systems
 from haros_ci.errors import UserError
 from haros_ci.model.workspace import Workspace

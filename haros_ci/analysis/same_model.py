@@ -37,10 +37,14 @@ _WORD = regex(r"\w+")
 
 @dataclass(frozen=True, slots=True)
 class Moved:
-    """The new line of each old one that has code, by the files in which any moved; *is_all*: nothing that is compiled is another."""
+    """The new line of each old one that has code, by the files in which any moved; *is_all*: nothing that is compiled is another.
+
+    *changed* are the paths of all files that are not the same bytes.
+    """
 
     lines: dict[str, Lines]
     is_all: bool
+    changed: frozenset[str] = frozenset()
 
 
 def moved_lines(base: Base, workspace: Workspace, store: Store) -> Moved | None:
@@ -82,7 +86,7 @@ def moved_lines(base: Base, workspace: Workspace, store: Store) -> Moved | None:
             return None
         if any(was != now for was, now in lines.items()):
             found[file.path] = lines
-    return Moved(found, is_all)
+    return Moved(found, is_all, frozenset(paths))
 
 
 def _without(workspace: Workspace, paths: set[str]) -> Workspace:

@@ -10,10 +10,12 @@ from functools import partial
 from typing import Any
 
 from haros_ci.checking.check import Check
+from haros_ci.checking.checked import Checked, Unseen
 from haros_ci.checking.patience import Patience
 from haros_ci.checking.project import Project
-from haros_ci.checking.run import CHECKS, Checked, Under, markers, run_checks, run_on_project
+from haros_ci.checking.run import CHECKS, Under, markers, run_checks, run_on_project
 from haros_ci.checking.system import System
+from haros_ci.checking.unseen import Held, Part
 from haros_ci.checking.unstarted import lowered
 from haros_ci.model.changes import Changes
 from haros_ci.model.workspace import Workspace
@@ -55,21 +57,27 @@ def run_all(
     share: Share,
     base: Workspace | None = None,
     beside: Callable[[], Notes] = tuple,
+    parts: Sequence[Part] = (),
+    held: Held | None = None,
 ) -> tuple[Checked, Checked, Changes | None, Notes]:
     """What *checks* say of the *systems* and of the *project*, what has changed in the graph since *base*, where there is one, and what *beside* gives.
 
     Findings of systems are confirmed under other launch arguments in the order of the systems, and share what is followed for that, so they
     are one piece of work. The checks that look at the base revision are another: one process links it, this one if *share* does them here.
+    They are asked on the *parts* first; those that are *held* are not asked.
     """
+    asked, held = checks, held or Held()
+    checks = [check for check in asked if check.id not in held.checks]
     of_project = [check for check in checks if check.project is not None]
     if project.is_as_before:
         of_project = [check for check in of_project if OF_CHANGES not in check.tags]
     unseen, budget = markers(project.workspace, base), Patience()
     work: list[tuple[str, str, Callable[[], Any]]] = [(OF_CHANGES, "", lambda: project.changes)] if base else []
     for check in sorted(of_project, key=lambda check: OF_CHANGES not in check.tags):
-        work.append((_group(check), check.id, partial(run_on_project, (check,), project, tool, unseen, budget)))
+        of_check = partial(run_on_project, (check,), project, tool, unseen, budget)
+        work.append((_group(check), check.id, partial(_of_project, check, parts, tool, unseen, of_check)))
     place = sum(group == OF_CHANGES for group, _, _ in work)
-    work.insert(place, (SYSTEMS, "", partial(run_checks, checks, systems, tool, under)))
+    work.insert(place, (SYSTEMS, "", partial(_of_systems, checks, systems, tool, under, parts)))
     work.insert(place + 1, (BESIDE, "", beside))
     done: Sequence[_Done] = share([partial(_timed, do) for _, _, do in work], [group for group, _, _ in work])
     if any(piece.process != os.getpid() for piece in done):
@@ -77,8 +85,10 @@ def run_all(
             side_by_side(CHECKS, part, piece.spent)
     found = {name or group: piece.found for (group, name, _), piece in zip(work, done, strict=True)}
     of_checks = _together([found[check.id] for check in of_project])
+    of_checks = _together([of_checks, held.of(check for check in asked if check.project is not None)])
+    of_systems = _together([found[SYSTEMS], held.of(check for check in asked if check.run is not None)])
     unread = frozenset(fault.path for fault in project.workspace.faults)
-    of_systems, of_checks = _not_at(unread, found[SYSTEMS]), _not_at(unread, of_checks)
+    of_systems, of_checks = _not_at(unread, of_systems), _not_at(unread, of_checks)
     of_systems = replace(of_systems, results=tuple(lowered(project, of_systems.results)))
     return of_systems, of_checks, found.get(OF_CHANGES), found[BESIDE]
 
@@ -104,4 +114,25 @@ def _not_at(manifests: frozenset[str], checked: Checked) -> Checked:
 def _together(found: Sequence[Checked]) -> Checked:
     """The findings of several checks as one, sorted; what failed in the order of the checks."""
     results = sorted((result for one in found for result in one.results), key=lambda result: result.sort_key)
-    return Checked(tuple(results), (), tuple(note for one in found for note in one.notifications))
+    graphs = {graph.name: graph for one in found for graph in one.graphs}
+    notes = tuple(note for one in found for note in one.notifications)
+    unseen = Unseen(*(frozenset().union(*sets) for sets in zip(*(one.unseen for one in found), strict=True)))
+    return Checked(tuple(results), tuple(graphs[name] for name in sorted(graphs)), notes, unseen)
+
+
+def _of_project(
+    check: Check, parts: Sequence[Part], tool: str, markers: Sequence[str], of_all: Callable[[], Checked]
+) -> Checked:
+    """What *check* says of the first of *parts* that is enough for it; where none is, what *of_all* says."""
+    asked = (part.of_project(check, tool, markers) for part in parts if OF_CHANGES not in check.tags)
+    return next((found for found in asked if found is not None), None) or of_all()
+
+
+def _of_systems(
+    checks: Sequence[Check], systems: Sequence[System], tool: str, under: Under | None, parts: Sequence[Part]
+) -> Checked:
+    """The same of all checks of systems: what these see of C++ is the same in all parts."""
+    asked = ((check, part.of_systems(check, tool)) for part in parts[:1] for check in checks if check.run is not None)
+    found = {check.id: checked for check, checked in asked if checked is not None}
+    left = [check for check in checks if check.id not in found]
+    return _together([*found.values(), run_checks(left, systems, tool, under)])

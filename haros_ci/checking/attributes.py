@@ -321,7 +321,8 @@ def _is_made(code: Codebase, owner: Owner, *, is_alone: bool) -> bool:
     short = owner[1].name.rpartition(".")[2]
     if _PARTIAL.search(short) is not None:
         return False
-    makers = (path for path in code.mentioning(short) if short in called_in(code, path))
+    python = (path for path in code.mentioning(short) if code.by_path[path].program.language == "python")
+    makers = (path for path in python if short in called_in(code, path))
     return any(_BASE.search(short) is None or path != owner[0].path for path in makers)
 
 

@@ -59,6 +59,8 @@ class IncludedHeaders:
         if path not in self._plain:
             program = self.package.project.programs.get(path)
             known = None if program is None else {name.strip('<>"') for name in program.includes}
-            found = ((include.header, include.location) for include in includes(path, self.package.project.text(path)))
+            found = (
+                (include.header, include.location) for include in includes(path, self.package.project.glance(path))
+            )
             self._plain[path] = tuple(pair for pair in found if known is None or pair[0] in known)
         return self._plain[path]

@@ -79,7 +79,12 @@ def compiled(package: ProjectPackage, *, tests: bool = False) -> list[str]:
 
 def is_compiled(package: ProjectPackage, path: str) -> bool:
     """Whether a source of a target is compiled by itself: a header is not, but where Qt's moc makes a source of it."""
-    return not path.endswith(_HEADERS) or _MOC.search(package.project.text(path)) is not None
+    return not path.endswith(_HEADERS) or is_for_moc(package.project.glance(path))
+
+
+def is_for_moc(text: str) -> bool:
+    """Whether a header of this *text* has classes for Qt's moc."""
+    return _MOC.search(text) is not None
 
 
 def reached(package: ProjectPackage, sources: Sources, *, tests: bool = False) -> Iterator[QuotedInclude]:
@@ -89,7 +94,7 @@ def reached(package: ProjectPackage, sources: Sources, *, tests: bool = False) -
     own = {file.path for file in package.files}
     while todo and len(seen) < MAX_FILES:
         path = todo.pop()
-        for include in includes(path, package.project.text(path)):
+        for include in includes(path, package.project.glance(path)):
             beside = posixpath.normpath(posixpath.join(posixpath.dirname(path), include.header))
             inner = [beside] if include.is_quoted and beside in own else []
             inner = inner or [item for item, name in sources.ending(include.header) if name == package.name]

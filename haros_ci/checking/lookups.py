@@ -47,7 +47,7 @@ def _lookups(package: ProjectPackage) -> Iterator[Lookup]:
         if not target.is_test and not target.is_conditional:
             paths += target.sources
     for path in dict.fromkeys(paths):
-        text = project.text(path)
+        text = project.text_with(path, *_WORDS)
         if (
             len(text) > _LONG
             or not any(word in text for word in _WORDS)

@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 
 from haros_ci.checking.check import About, Check, Finding
+from haros_ci.checking.checked import Checked
 from haros_ci.checking.kinds import ACTION, SERVICE, TOPIC
 from haros_ci.checking.patience import Overrun, Patience
 from haros_ci.checking.project import Project
@@ -33,15 +34,6 @@ CHECKS = "checks"
 Assigned = tuple[tuple[str, str], ...]
 #: The system of the same configuration under other launch arguments; None if it cannot be had.
 Under = Callable[[System, Assigned], System | None]
-
-
-@dataclass(frozen=True, slots=True)
-class Checked:
-    """All that the checks say: sorted results, the graphs that they traverse, and checks that failed."""
-
-    results: tuple[Result, ...]
-    graphs: tuple[Graph, ...] = ()
-    notifications: tuple[Notification, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

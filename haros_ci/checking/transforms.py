@@ -245,7 +245,7 @@ def _of_code(project: Project, system: System, node: SystemNode) -> Iterator[Bro
     parameters = _parameters(system, node)
     for path in dict.fromkeys(end.location.path for end in ends):
         program = project.programs.get(path)
-        for other_sent in sent(program) if program is not None and "sendTransform" in project.text(path) else ():
+        for other_sent in sent(program) if program is not None and project.has_word(path, "sendTransform") else ():
             is_static = "static" in other_sent.receiver.lower() if len(kinds) == 2 else kinds == {"/tf_static"}
             child = resolved(other_sent.child, parameters)
             topic = _topic(node, "/tf_static" if is_static else "/tf")

@@ -72,7 +72,7 @@ class Routine:
 
 @dataclass(slots=True)
 class Codebase:
-    """*text* gives a file's text, for looking up words quickly."""
+    """*text* gives a file's text, *look* the same for looking up words quickly: nothing else of it is asked; *asked* are the words."""
 
     sources: tuple[Source, ...]
     text: Callable[[str], str]
@@ -89,6 +89,8 @@ class Codebase:
     _words: dict[str, list[str]] | None = None
     #: Sources that no target compiles: checks of the code pass them over, since they never run.
     unbuilt: frozenset[str] = frozenset()
+    look: Callable[[str], str] | None = None
+    asked: set[str] = field(default_factory=set)
     _firmware: frozenset[str] | None = None
     #: What other modules of this room remember about this code, by their own keys.
     kept: dict[object, Any] = field(default_factory=dict)
@@ -150,8 +152,10 @@ class Codebase:
         """The files of programs whose text contains one of *words*, without firmware and those that no target compiles."""
         if words not in self._mentions:
             if self._texts is None:
-                self._texts = [(source.path, self.text(source.path)) for source in self.sources]
+                look = self.look or self.text
+                self._texts = [(source.path, look(source.path)) for source in self.sources]
             found: set[str] = set()
+            self.asked.update(words)
             for word in words:
                 found.update([path for path, text in self._texts if word in text])
             self._mentions[words] = frozenset(found - self.unbuilt - self.firmware)
@@ -161,11 +165,12 @@ class Codebase:
         """The same files as those of ``mentioning``, of those that have *word*, an identifier, as a whole word: for many words."""
         if self._words is None:
             self._words = {}
-            outside = self.unbuilt | self.firmware
+            outside, look = self.unbuilt | self.firmware, self.look or self.text
             for source in self.sources:
                 if source.path not in outside:
-                    for one in set(re.findall(r"\w+", self.text(source.path))):
+                    for one in set(re.findall(r"\w+", look(source.path))):
                         self._words.setdefault(one, []).append(source.path)
+        self.asked.add(word)
         return frozenset(self._words.get(word, ()))
 
     @property
@@ -224,9 +229,17 @@ class Codebase:
         return tuple((source, class_) for class_ in source.program.classes)
 
 
-def codebase(sources: Iterable[Source], text: Callable[[str], str], ros: dict[str, int] | None = None) -> Codebase:
-    """The code of *sources*, the programs of a workspace sorted by path."""
+def codebase(
+    sources: Iterable[Source],
+    text: Callable[[str], str],
+    ros: dict[str, int] | None = None,
+    look: Callable[[str], str] | None = None,
+    asked: set[str] | None = None,
+) -> Codebase:
+    """The code of *sources*, the programs of a workspace sorted by path; *look* and *asked* are those of ``Codebase``."""
     every = tuple(sources)
     cpp = build_index(source for source in every if source.program.language != "python")
     python = build_index(source for source in every if source.program.language == "python")
-    return Codebase(every, text, cpp, python, dict(ros or {}), {source.path: source for source in every})
+    by_path = {source.path: source for source in every}
+    asked = set() if asked is None else asked
+    return Codebase(every, text, cpp, python, dict(ros or {}), by_path, look=look, asked=asked)
