@@ -22,6 +22,7 @@ from haros_ci.checking.file_words import (
     makes_by_name,
     named_in,
 )
+from haros_ci.checking.likeness import is_one_edit
 from haros_ci.checking.project import Project
 from haros_ci.code.classes import Owner, bases
 from haros_ci.code.codebase import Codebase, Routine
@@ -62,6 +63,11 @@ _NODE = frozenset(
     wait_for_node automatically_declare_parameters_from_overrides enable_rosout enable_logger_service PARAM_REL_TOL
     loaded_parameters type_description_service
     """.split()
+)
+#: What rclpy's Node and Thread have for themselves, of short names.
+_PRIVATE = frozenset(
+    """_args _allow_undeclared_parameters _clock _context _default_callback_group _descriptors _enable_rosout _executor_event _handle _ident _kwargs _logger
+    _name _parameter_event_publisher _parameter_overrides _parameter_service _parameters _started _target _time_source""".split()
 )
 _LIFECYCLE = frozenset(
     """
@@ -138,12 +144,17 @@ def unset_attributes(project: Project) -> Iterator[Unset]:
         if not libraries <= _PLAIN | {"threading.Thread"}:
             has |= _LIFECYCLE  # rclpy may get these names for its plain nodes
         for name, routine in sorted(class_.read.items()):
-            is_hidden = name.startswith("__") or (name.startswith("_") and bool(libraries - _PLAIN))
+            is_hidden = name.startswith("__") or (bool(libraries - _PLAIN) and _is_private(name, class_.has))
             if name in has or name in elsewhere or is_hidden or name in asked_for(code, source.path):
                 continue
             is_reached = _is_reached(code, routine, files)
             place = _place(code, routine, name)
             yield Unset(definition.name, name, routine, place, known, is_reached, not class_.uncalled[name])
+
+
+def _is_private(name: str, own: Set[str]) -> bool:
+    """Whether *name* may be one of a library's class for itself: it begins with an underscore, and is no slip of one that the class itself has."""
+    return name.startswith("_") and (name in _PRIVATE or not any(is_one_edit(name, other) for other in own))
 
 
 def _known(above: Owner | None, name: str, classes: dict[tuple[str, str], _Attributes]) -> Set[str]:
