@@ -5,8 +5,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from haros_ci.api import Check, Decidability, Finding, Level, Project
-from haros_ci.api.packages import Lookup, lookups, meant_here, meant_released, repositories_named
+from haros_ci.api import Check, Decidability, Finding, Level, Project, ProjectPackage
+from haros_ci.api.launch import PackageUse
+from haros_ci.api.packages import Lookup, launch_lookups, lookups, meant_here, meant_released, repositories_named
 
 
 def check(project: Project) -> Iterator[Finding]:
@@ -17,12 +18,25 @@ def check(project: Project) -> Iterator[Finding]:
         for use in lookups(package):
             if use.name in declared or use.name in names or project.knowledge.is_package(use.name) is not False:
                 continue
-            here = meant_here(use.name, names)
+            here = meant_here(use.name, names) or meant_here(use.name, sorted(declared))
             if here is None and use.name in repositories_named(project.workspace):
                 continue
             meant = here or meant_released(use.name)
             if meant is not None or is_alone:
                 yield _finding(use, meant, is_here=here is not None)
+        yield from _in_launch_files(package, names, declared)
+
+
+def _in_launch_files(package: ProjectPackage, names: list[str], declared: set[str]) -> Iterator[Finding]:
+    """Slips in what launch files ask for and do not use: unknown-package has what they use."""
+    project = package.project
+    used = {(fact.location.path, fact.package) for system in project.systems for fact in system.facts(PackageUse)}
+    for use in launch_lookups(package):
+        if use.name in declared or use.name in names or (use.location.path, use.name) in used:
+            continue
+        meant = meant_here(use.name, names) or meant_here(use.name, sorted(declared))
+        if meant is not None:
+            yield _finding(use, meant, is_here=True)
 
 
 def _finding(use: Lookup, meant: str | None, *, is_here: bool) -> Finding:

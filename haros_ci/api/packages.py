@@ -49,7 +49,7 @@ from haros_ci.checking.interpreted import (
 from haros_ci.checking.known_commands import is_well_known
 from haros_ci.checking.left_to_write import is_unfilled, lacks_interface
 from haros_ci.checking.leftovers import Leftovers
-from haros_ci.checking.lookups import Lookup, lookups
+from haros_ci.checking.lookups import Lookup, launch_lookups, lookups
 from haros_ci.checking.lost_imports import lost_imports
 from haros_ci.checking.manifest_names import ENVIRONMENT, has_environment, is_nowhere
 from haros_ci.checking.manifests import (
@@ -280,6 +280,7 @@ __all__ = [
     "is_to_be_had",
     "is_to_be_run",
     "is_told_of",
+    "launch_lookups",
     "is_well_known",
     "is_tree_node",
     "is_written",

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from haros_ci.checking.imports import used_files
 from haros_ci.checking.optional import depends_on_package
@@ -40,12 +40,21 @@ def lookups(package: ProjectPackage) -> tuple[Lookup, ...]:
     return package.project.sources.once(("lookups", package.path), lambda: tuple(_lookups(package)))
 
 
+def launch_lookups(package: ProjectPackage) -> Iterator[Lookup]:
+    """What launch files of *package* in Python ask for, in the order of the files."""
+    yield from _in(package, [path for path, is_launch in used_files(package) if is_launch and path.endswith(".py")])
+
+
 def _lookups(package: ProjectPackage) -> Iterator[Lookup]:
-    project = package.project
     paths = [path for path, is_launch in used_files(package) if not is_launch and not _is_tool(package, path)]
     for target in package.build.targets:
         if not target.is_test and not target.is_conditional:
             paths += target.sources
+    yield from _in(package, paths)
+
+
+def _in(package: ProjectPackage, paths: Iterable[str]) -> Iterator[Lookup]:
+    project = package.project
     for path in dict.fromkeys(paths):
         text = project.text_with(path, *_WORDS)
         if (
