@@ -9,7 +9,7 @@ from difflib import get_close_matches
 
 from haros_ci.api import Check, Finding, Level, Project, ProjectPackage, regex
 from haros_ci.api.launch import similar_files
-from haros_ci.api.packages import NO_ENTRIES, CMakeCommand, entries_of, exports, is_told_of, may_appear
+from haros_ci.api.packages import NO_ENTRIES, CMakeCommand, entries_of, exports, is_ignored, is_told_of, may_appear
 
 _KINDS = ("FILES", "PROGRAMS", "DIRECTORY")
 #: Keywords that end the list of files in install() and similar commands.
@@ -83,14 +83,21 @@ def _of_setup(package: ProjectPackage) -> Iterator[Finding]:
         if item.location.path != setup or path in reported or path in project.workspace.names:
             continue
         reported.add(path)
-        if may_appear(package, path, _QUIET) or is_told_of(package, path):
-            continue
         shown = path.removeprefix(f"{package.path}/")
+        is_left_out = shown == f"resource/{package.name}" and is_ignored(project.workspace, path)  # no build makes it
+        if not is_left_out and (may_appear(package, path, _QUIET) or is_told_of(package, path)):
+            continue
         is_directory = project.exists(path)
         why = "a directory, of which setup.py installs files alone" if is_directory else "which is not there"
+        instead = _instead(package, path, is_directory)
+        if is_left_out:
+            why, instead = (
+                "which a .gitignore keeps out of the repository",
+                f"{instead}, and !{shown} to that .gitignore",
+            )
         yield Finding(
             at=item.location,
-            message=f"{package.name} installs {shown}, {why}: colcon build stops with an error; {_instead(package, path, is_directory)}",
+            message=f"{package.name} installs {shown}, {why}: colcon build stops with an error; {instead}",
             about=(package.name, shown),
             apart=(shown,),
         )

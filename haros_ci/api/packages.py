@@ -279,6 +279,7 @@ __all__ = [
     "is_sourced",
     "is_to_be_had",
     "is_to_be_run",
+    "is_ignored",
     "is_told_of",
     "launch_lookups",
     "is_well_known",
