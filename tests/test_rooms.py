@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import ast
 import re
+from collections import Counter
 from pathlib import Path
 
 from every import every
@@ -361,6 +362,12 @@ def test_every_package_is_installed() -> None:
     named = set(re.findall(r'"(haros_ci[\w.]*)",\n', text[text.index("packages = [") : text.index("package-dir")]))
     found = {".".join(path.parent.relative_to(ROOT).parts) for path in (ROOT / "haros_ci").rglob("*.py")}
     assert named == found | {"haros_ci_checks"}
+
+
+def test_no_two_test_modules_have_one_name() -> None:
+    """pytest imports them by their names alone, and collects the first of two (its "import file mismatch")."""
+    names = Counter(path.name for path in (ROOT / "tests").rglob("test_*.py"))
+    assert [name for name, count in names.items() if count > 1] == []
 
 
 def test_no_module_is_long() -> None:
