@@ -40,6 +40,10 @@ _OF_ROS = frozenset(
 )
 
 
+#: Files of one package for which one that is meant is looked for: each is compared with all that are there.
+MOST_COMPARED = 100
+
+
 def check(project: Project) -> Iterator[Finding]:
     for package in project.packages:
         if package.raw.build_type == "ament_python" or not package.cmake.is_whole:
@@ -61,13 +65,14 @@ def check(project: Project) -> Iterator[Finding]:
                 ):
                     continue
                 reported.add(path)
-                yield _finding(package, command, path)
+                yield _finding(package, command, path, len(reported) <= MOST_COMPARED)
 
 
-def _finding(package: ProjectPackage, command: CMakeCommand, path: str) -> Finding:
+def _finding(package: ProjectPackage, command: CMakeCommand, path: str, is_compared: bool) -> Finding:
     top = "" if package.path == "." else f"{package.path}/"
     shown = path.removeprefix(top)
-    near = similar_files(path, (name for name in package.project.workspace.names if name.startswith(top)), package.name)
+    beside = [name for name in package.project.workspace.names if is_compared and name.startswith(top)]
+    near = similar_files(path, beside, package.name)
     instead = f"did you mean {near[0].removeprefix(top)}?" if near else "correct the name, or add the file"
     return Finding(
         at=command.location,

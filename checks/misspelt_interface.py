@@ -12,8 +12,15 @@ from haros_ci.api.packages import paths_by_name
 
 
 def check(project: Project) -> Iterator[Finding]:
+    known: dict[InterfaceReference, str] = {}
+
+    def meant_by(reference: InterfaceReference) -> str:
+        if reference not in known:
+            known[reference] = _meant(project, reference)
+        return known[reference]
+
     for reference, places in InterfaceUsers(project).named.items():
-        meant = _meant(project, reference)
+        meant = meant_by(reference)
         for path, written in places if meant else ():
             at = (
                 None
@@ -32,7 +39,7 @@ def check(project: Project) -> Iterator[Finding]:
         for interface in package.build.interfaces:
             for field in (one for section in interface.sections for one in section if interface.is_generated):
                 name, _, short = re.split(r"[\[<]", field.type)[0].partition("/")
-                meant = _meant(project, InterfaceReference(name, "msg", short.lower())) if short else ""
+                meant = meant_by(InterfaceReference(name, "msg", short.lower())) if short else ""
                 if meant:
                     at = Location(interface.path, field.line)
                     what = f"{interface.name} has a field {field.name} of {name}/{short}, so that {package.name} does not build"

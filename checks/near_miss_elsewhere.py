@@ -25,7 +25,7 @@ from haros_ci.api import (
 
 COMMON = frozenset({"tf", "tf_static", "clock", "rosout", "parameter_events", "diagnostics", "robot_description"})
 #: More of one type than this say that the type tells nothing.
-MOST = 20
+MOST = 40
 
 Ends = list[tuple[End, str]]
 

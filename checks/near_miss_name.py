@@ -81,7 +81,7 @@ def _lonely(channels: tuple[Channel, ...], unknown: tuple[End, ...]) -> Iterator
     takes from is common. Names that instances of one program share are reported by namespace-leak. No end of an *unknown* name may be the
     partner of either.
     """
-    givers: dict[str, list[Channel]] = {}
+    givers: dict[tuple[str, bool], list[Channel]] = {}
     takers: list[Channel] = []
     for channel in channels:
         if channel.name.rpartition("/")[2] in COMMON or len(channel.types) != 1:
@@ -94,14 +94,15 @@ def _lonely(channels: tuple[Channel, ...], unknown: tuple[End, ...]) -> Iterator
         ):
             continue
         if channel.givers and len({end.location for end in channel.givers}) == len(channel.givers):
-            givers.setdefault(channel.types[0], []).append(channel)
+            givers.setdefault((channel.types[0], bool(channel.takers)), []).append(channel)
         elif channel.takers and not channel.givers:
             takers.append(channel)
     for taker in takers:
-        alike = givers.get(taker.types[0], [])
-        for giver in alike if len(alike) <= MOST else ():
-            if (not giver.takers and is_moved(giver.name, taker.name)) or _is_misspelt(giver.name, taker.name):
-                yield giver, taker
+        for is_connected in (False, True):
+            alike = givers.get((taker.types[0], is_connected), [])
+            for giver in alike if len(alike) <= MOST else ():
+                if (not is_connected and is_moved(giver.name, taker.name)) or _is_misspelt(giver.name, taker.name):
+                    yield giver, taker
 
 
 def _is_informative(end: End) -> bool:

@@ -78,9 +78,13 @@ def _may_find_more(package: ProjectPackage) -> bool:
 def _ament(package: ProjectPackage, there: frozenset[str]) -> Iterator[tuple[str, Finding]]:
     found: dict[str, CMakeCommand] = {}
     uses: list[tuple[str, CMakeCommand]] = []
+    called: set[str] = set()
     for command in package.build.commands:
         provider, family = _MACROS_OF_AMENT.get(command.name, ("", ""))
-        if provider and not command.is_conditional and _is_unknown_macro(package, found, provider, family):
+        is_first = bool(provider) and not command.is_conditional and provider not in called
+        if is_first:
+            called.add(provider)
+        if is_first and _is_unknown_macro(package, found, provider, family):
             message = f"{command.name}() is called without a find_package({provider}) before: CMake stops at an unknown command"
             yield (
                 provider,

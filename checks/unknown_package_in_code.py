@@ -14,6 +14,7 @@ def check(project: Project) -> Iterator[Finding]:
     names = [package.name for package in project.packages]
     declared = {dependency.name for package in project.workspace.packages for dependency in package.dependencies}
     is_alone = all(name in names or project.knowledge.is_known(name) for name in declared)
+    used = {(fact.location.path, fact.package) for system in project.systems for fact in system.facts(PackageUse)}
     for package in project.packages:
         for use in lookups(package):
             if use.name in declared or use.name in names or project.knowledge.is_package(use.name) is not False:
@@ -24,13 +25,13 @@ def check(project: Project) -> Iterator[Finding]:
             meant = here or meant_released(use.name)
             if meant is not None or is_alone:
                 yield _finding(use, meant, is_here=here is not None)
-        yield from _in_launch_files(package, names, declared)
+        yield from _in_launch_files(package, names, declared, used)
 
 
-def _in_launch_files(package: ProjectPackage, names: list[str], declared: set[str]) -> Iterator[Finding]:
-    """Slips in what launch files ask for and do not use: unknown-package has what they use."""
-    project = package.project
-    used = {(fact.location.path, fact.package) for system in project.systems for fact in system.facts(PackageUse)}
+def _in_launch_files(
+    package: ProjectPackage, names: list[str], declared: set[str], used: set[tuple[str, str]]
+) -> Iterator[Finding]:
+    """Slips in what launch files ask for and do not use; unknown-package has what is *used*, by file and name."""
     for use in launch_lookups(package):
         if use.name in declared or use.name in names or (use.location.path, use.name) in used:
             continue

@@ -64,6 +64,8 @@ _NODE = frozenset(
     loaded_parameters type_description_service
     """.split()
 )
+#: A class with more names of its own is not looked at for slips: each name is compared with each.
+_MOST_OWN = 300
 #: What rclpy's Node and Thread have for themselves, of short names.
 _PRIVATE = frozenset(
     """_args _allow_undeclared_parameters _clock _context _default_callback_group _descriptors _enable_rosout _executor_event _handle _ident _kwargs _logger
@@ -153,8 +155,9 @@ def unset_attributes(project: Project) -> Iterator[Unset]:
 
 
 def _is_private(name: str, own: Set[str]) -> bool:
-    """Whether *name* may be one of a library's class for itself: it begins with an underscore, and is no slip of one that the class itself has."""
-    return name.startswith("_") and (name in _PRIVATE or not any(is_one_edit(name, other) for other in own))
+    """Whether *name* may be one that a library's class has for itself: with an underscore, and no slip of an *own* one of the class."""
+    is_alike = name not in _PRIVATE and len(own) <= _MOST_OWN and any(is_one_edit(name, other) for other in own)
+    return name.startswith("_") and not is_alike
 
 
 def _known(above: Owner | None, name: str, classes: dict[tuple[str, str], _Attributes]) -> Set[str]:

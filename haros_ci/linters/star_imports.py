@@ -8,6 +8,7 @@ import posixpath
 import re
 import sys
 from collections.abc import Iterable, Iterator
+from functools import lru_cache
 
 from haros_ci.knowledge.knowledge import knowledge
 from haros_ci.linters.pylint_idioms import nodes
@@ -69,16 +70,23 @@ def may_bring(name: str, text: str, workspace: Workspace) -> bool:
         match = _INTERFACES.match(module)
         if level or match is None:
             return True
-        definitions = known.interfaces(match[1])
         if match[1] in here:
-            top = f"{here[match[1]]}/".removeprefix("./")
-            definitions = frozenset(
-                other for other in workspace.names if other.startswith(top) and other.endswith(_DEFINITIONS)
-            )
-        made = {posixpath.basename(other).partition(".")[0] for other in definitions}
+            made = _defined_below(f"{here[match[1]]}/".removeprefix("./"), workspace.names)
+        else:
+            made = frozenset(definition.partition("/")[2] for definition in known.interfaces(match[1]))
         if not made or name in made or _OF_PARTS.sub("", name) in made:
             return True
     return False
+
+
+@lru_cache(maxsize=64)
+def _defined_below(top: str, names: frozenset[str]) -> frozenset[str]:
+    """The interfaces that files below the directory *top* define: it is asked for each name, and there may be thousands of both."""
+    return frozenset(
+        posixpath.basename(name).partition(".")[0]
+        for name in names
+        if name.startswith(top) and name.endswith(_DEFINITIONS)
+    )
 
 
 def _starred(text: str) -> Iterator[tuple[int, str]]:
