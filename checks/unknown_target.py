@@ -97,9 +97,13 @@ def _unknown(package: ProjectPackage, command: CMakeCommand, is_open: bool) -> I
 
     Those that others make have names of their own: one that differs from a target of the package by a slip is none of them.
     """
-    if is_open and command.name in _OF_BUILD:
-        yield from (found for found in _unknown(package, command, False) if _is_slip_of_target(package, found[0]))
-        return
+    for name, what in _unmade(package, command):
+        if not (is_open and command.name in _OF_BUILD) or _is_slip_of_target(package, name):
+            yield name, what
+
+
+def _unmade(package: ProjectPackage, command: CMakeCommand) -> Iterator[tuple[str, str]]:
+    """The same of what the package itself makes."""
     cmake, words = package.cmake, command.arguments
     if command.name in OF_TARGETS and words and not command.is_test:
         end = words.index("PROPERTIES") if "PROPERTIES" in words else 1
@@ -114,19 +118,20 @@ def _unknown(package: ProjectPackage, command: CMakeCommand, is_open: bool) -> I
     elif command.name == "catkin_package":
         names = command.after("LIBRARIES", *_KEYWORDS)
         yield from _exported(package, names)
-        for target in (cmake.targets[name] for name in names if name in cmake.targets):
-            if target.kind == "library" and target.output != target.name and not target.is_conditional:
-                yield (
-                    target.name,
-                    (
-                        f"its file is {target.prefix}{target.output}{target.suffix}, but packages that use it search for "
-                        f"{target.name}"
-                    ),
-                )
+        yield from _under_other_names(package, names)
     elif command.name == "ament_export_libraries":
         yield from _exported(package, words)
     elif command.name == "ament_export_dependencies":
         yield from _needed(package, words)
+
+
+def _under_other_names(package: ProjectPackage, names: tuple[str, ...]) -> Iterator[tuple[str, str]]:
+    """Libraries of the package that are exported by their targets' *names*, and whose files are called otherwise."""
+    targets = package.cmake.targets
+    for target in (targets[name] for name in names if name in targets):
+        if target.kind == "library" and target.output != target.name and not target.is_conditional:
+            file = f"{target.prefix}{target.output}{target.suffix}"
+            yield target.name, f"its file is {file}, but packages that use it search for {target.name}"
 
 
 def _sets(package: ProjectPackage, command: CMakeCommand) -> Iterator[str]:

@@ -51,6 +51,12 @@ _VALUES = regex(r"\"[^\"]*\"|'[^']*'")
 
 
 def check(system: System) -> Iterator[Finding]:
+    yield from _passed_for_nothing(system)
+    yield from _never_read(system)
+
+
+def _passed_for_nothing(system: System) -> Iterator[Finding]:
+    """Arguments that are passed to a file which does not know them."""
     for use in system.facts(IncludeUse):
         known = {*use.declared, *use.read}
         free = sorted({*use.declared} - {passed.name for passed in use.passed})
@@ -80,6 +86,10 @@ def check(system: System) -> Iterator[Finding]:
                 level=Level.NOTE if passed.name == _CLOCK and not similar else None,
                 presence=use.presence,
             )
+
+
+def _never_read(system: System) -> Iterator[Finding]:
+    """Arguments that are declared and that nothing reads."""
     texts: dict[str, _Text] = {}
     for argument in system.facts(ArgumentDeclaration):
         if argument.is_used is not False:

@@ -22,10 +22,13 @@ from haros_ci.timing import stage, timed
 from haros_ci.workspace.views import View
 
 if TYPE_CHECKING:  # they are loaded where there is something to check
+    from haros_ci.analysis.kept_findings import KeptFindings
+    from haros_ci.analysis.same_model import Moved
     from haros_ci.checking.check import Check
     from haros_ci.checking.project import Project
     from haros_ci.checking.system import System
     from haros_ci.checking.unseen import Held, Part
+    from haros_ci.systems.link import Linked
     from haros_ci.workspace.base import Base
 
 Progress = Callable[[str], None]
@@ -57,6 +60,15 @@ def inspected(
         return _inspected(run, view.workspace, selection, architectures, progress, past)
 
     return in_views(run, workspace, settings.project_file, look)
+
+
+def _held(
+    findings: KeptFindings, base: Base | None, workspace: Workspace, made: Linked, moved: Moved | None
+) -> Held | None:
+    """What was found at the *base* and holds in *workspace*, where code has *moved* alone."""
+    if base is None or moved is None:
+        return None
+    return findings.get(base.workspace, workspace, made.builds, moved)
 
 
 def _inspected(
@@ -109,13 +121,11 @@ def _inspected(
     kept, of = architectures.keeping(), base.workspace if base is not None and moved is not None else workspace
     before = kept.sentences(of) if kept is not None else None
     beside = partial(lacking, made, workspace, settings) if before is None else partial(tuple[str, ...], before)
-    held: Held | None = None
-    parts: tuple[Part, ...] = ()
     findings = KeptFindings(options_of(settings, known), architectures.store)
+    parts: tuple[Part, ...] = ()
     if kept is not None and base is None:
         parts = parts_of(made, workspace, where, tuple(access))
-    elif kept is not None and base is not None and moved is not None:
-        held = findings.get(base.workspace, workspace, made.builds, moved)
+    held = _held(findings, base, workspace, made, moved) if kept is not None else None
     of_systems, of_project, changes, sentences = run_all(
         chosen, all_systems, project, own.TOOL, under, share, old, beside, parts, held
     )

@@ -26,11 +26,10 @@ from haros_ci.linters.pylint_idioms import (
     is_to_fail,
     is_unpacked,
 )
+from haros_ci.linters.pylint_names import is_counted_up, is_deleted_global
 from haros_ci.linters.pylint_statements import (
     gives_names,
     has_items,
-    is_counted_up,
-    is_deleted_global,
     is_in_description,
     is_index_of_array,
     is_of_another,
