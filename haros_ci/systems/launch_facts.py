@@ -45,12 +45,19 @@ class Completion:
         if isinstance(fact, FileUse):
             return self.finder.completed(fact)
         if isinstance(fact, ProgramUse):
-            return self.programs.completed(fact) if fact.package in self.packages else _with_known(fact)
+            return self.programs.completed(fact) if fact.package in self.packages else self._with_known(fact)
         if isinstance(fact, PackageUse):
             return replace(fact, is_here=fact.package in self.packages)
         if isinstance(fact, ConstructUse) and fact.kind == "foreign":
             return replace(fact, is_installed=self.finder.is_installed(fact.location.path))
         return fact
+
+    def _with_known(self, use: ProgramUse) -> ProgramUse:
+        """The use of a package outside of the workspace, with those of its programs or components that are known and may be meant."""
+        if self.types.known(use.package, use.program, use.ros) is not None:
+            return use
+        known = load_known(use.package, use.ros) or {}
+        return use if use.program in known else replace(use, similar=similar_names(use.program, known, use.package, 3))
 
     def given(self, job: Job, nodes: Iterable[Node]) -> tuple[LaunchFact, ...]:
         """The parameter files of a launched process, and which of their sections are for one of its *nodes*.
@@ -72,14 +79,6 @@ class Completion:
             is_found = True if use.is_read else made.is_found
             found.append(replace(use, patterns=patterns, is_found=is_found, path=use.path or made.path))
         return tuple(found)
-
-
-def _with_known(use: ProgramUse) -> ProgramUse:
-    """The use of a package outside of the workspace, with those of its programs or components that are known and may be meant."""
-    known = load_known(use.package, use.ros) or {}
-    if use.program in known:
-        return use
-    return replace(use, similar=similar_names(use.program, known, use.package, 3))
 
 
 def _matched(pattern: NodePattern, names: list[str], is_whole: bool) -> NodePattern:
