@@ -5,10 +5,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from difflib import get_close_matches
-from functools import lru_cache
 
-from haros_ci.api import Check, Finding, Level, Project, ProjectPackage, is_slip, listed, regex
+from haros_ci.api import Check, Finding, Level, Project, ProjectPackage, listed, regex
 from haros_ci.api.packages import (
     OF_TARGETS,
     CMakeCommand,
@@ -18,6 +16,7 @@ from haros_ci.api.packages import (
     may_have_more,
     may_set_variables,
 )
+from haros_ci.api.targets import KEYWORDS_OF_CATKIN, is_slip_of_target, meant_targets, target_hint
 
 #: Targets that CMake, catkin and rosidl make by themselves.
 _GIVEN = regex(
@@ -36,8 +35,6 @@ _NO_TARGETS = frozenset(
 )
 #: Commands that name targets and sets of them of the whole build.
 _OF_BUILD = OF_TARGETS | {"install", "ament_export_targets", "ament_export_interfaces"}
-#: What exports libraries; catkin_package() has them behind LIBRARIES.
-_OF_LIBRARIES = ("catkin_package", "ament_export_libraries")
 #: What only packages that use this one come to feel.
 _OF_USERS = ("ament_export_libraries", "ament_export_dependencies")
 #: What comes of an exported library that is not made, where packages of the workspace are built against it, and where not.
@@ -47,11 +44,6 @@ _NOT_FOUND_LATER = "no package here is built against it yet; one that is will no
 _OUTSIDE = (
     *("externalproject_add", "fetchcontent_declare", "fetchcontent_makeavailable", "ament_vendor"),
     *("add_custom_command", "add_custom_target", "execute_process"),
-)
-#: Those of catkin_package().
-_KEYWORDS = (
-    *("INCLUDE_DIRS", "LIBRARIES", "CATKIN_DEPENDS", "DEPENDS", "CFG_EXTRAS", "EXPORTED_TARGETS"),
-    *("SKIP_CMAKE_CONFIG_GENERATION", "SKIP_PKG_CONFIG_GENERATION"),
 )
 #: What stands behind DEPENDS in the template of catkin_create_pkg (catkin_pkg/templates/CMakeLists.txt.in).
 _PLACEHOLDER = "system_lib"
@@ -98,7 +90,7 @@ def _unknown(package: ProjectPackage, command: CMakeCommand, is_open: bool) -> I
     Those that others make have names of their own: one that differs from a target of the package by a slip is none of them.
     """
     for name, what in _unmade(package, command):
-        if not (is_open and command.name in _OF_BUILD) or _is_slip_of_target(package, name):
+        if not (is_open and command.name in _OF_BUILD) or is_slip_of_target(package, name):
             yield name, what
 
 
@@ -116,7 +108,7 @@ def _unmade(package: ProjectPackage, command: CMakeCommand) -> Iterator[tuple[st
         for name in _sets(package, command):
             yield name, "no install(TARGETS ... EXPORT) adds a target to it, and CMake stops"
     elif command.name == "catkin_package":
-        names = command.after("LIBRARIES", *_KEYWORDS)
+        names = command.after("LIBRARIES", *KEYWORDS_OF_CATKIN)
         yield from _exported(package, names)
         yield from _under_other_names(package, names)
     elif command.name == "ament_export_libraries":
@@ -154,7 +146,7 @@ def _dependencies(package: ProjectPackage, command: CMakeCommand) -> Iterator[Fi
     """What catkin_package() exports and that is not found, or that nobody who installs the package has."""
     kinds = ("depend", "exec_depend", "run_depend", "build_export_depend")
     there = {dependency.name for dependency in package.raw.dependencies if dependency.kind in kinds}
-    for name in dict.fromkeys(command.after("CATKIN_DEPENDS", *_KEYWORDS)):
+    for name in dict.fromkeys(command.after("CATKIN_DEPENDS", *KEYWORDS_OF_CATKIN)):
         if name not in there and "$" not in name and package.manifest is not None:
             tag = "exec_depend" if package.raw.format > 1 else "run_depend"
             fix = add_dependency(package, "exec_depend", name)
@@ -168,7 +160,7 @@ def _dependencies(package: ProjectPackage, command: CMakeCommand) -> Iterator[Fi
             )
     lost = [
         name
-        for name in dict.fromkeys(command.after("DEPENDS", *_KEYWORDS))
+        for name in dict.fromkeys(command.after("DEPENDS", *KEYWORDS_OF_CATKIN))
         if not may_set_variables(package, name) and not is_found_by_others(package, name)
     ]
     if _PLACEHOLDER in lost:
@@ -236,14 +228,6 @@ def _is_written(package: ProjectPackage, name: str) -> bool:
     return name in written or "${PROJECT_NAME}".join(name.split(package.name)) in written
 
 
-#: Names that are compared with one that is not known.
-MAX_NAMES = 300
-
-
-def _is_slip_of_target(package: ProjectPackage, name: str) -> bool:
-    return any(is_slip(name, target) for target in list(package.cmake.targets)[:MAX_NAMES])
-
-
 def _finding(package: ProjectPackage, command: CMakeCommand, wrong: tuple[str, ...], what: str) -> Finding:
     """Of the names of one command that are *wrong*, of which several are exported libraries."""
     name = wrong[0]
@@ -257,10 +241,10 @@ def _finding(package: ProjectPackage, command: CMakeCommand, wrong: tuple[str, .
     if what == _NOT_FOUND:
         what = (_NOT_FOUND if is_used else _NOT_FOUND_LATER).format("library" if len(wrong) == 1 else "libraries")
     level = Level.WARNING if command.name in _OF_USERS or not is_used else None  # this package builds
-    has_headers = command.name != "catkin_package" or command.after("INCLUDE_DIRS", *_KEYWORDS)
-    if not (is_used or has_headers or _candidates(package, command, name)):
+    has_headers = command.name != "catkin_package" or command.after("INCLUDE_DIRS", *KEYWORDS_OF_CATKIN)
+    if not (is_used or has_headers or meant_targets(package, command, name)):
         level = Level.NOTE  # there is nothing to build against
-    hint = _hint(package, command, name) if len(wrong) == 1 else _hint_of_several(package, command, wrong)
+    hint = target_hint(package, command, wrong)
     return Finding(
         at=command.location,
         message=f"{message}: {what}{hint}",
@@ -268,87 +252,6 @@ def _finding(package: ProjectPackage, command: CMakeCommand, wrong: tuple[str, .
         apart=wrong,
         level=level,
     )
-
-
-def _hint(package: ProjectPackage, command: CMakeCommand, name: str) -> str:
-    """What to write instead of *name*."""
-    if name in package.cmake.targets:
-        return ""
-    near = _near(package, command, name)
-    if near and command.name == "ament_export_dependencies" and _squeezed(near) == _squeezed(name):
-        return f"; write {near}, as find_package() has it here"
-    names = _candidates(package, command, name)
-    if _is_library(command, name) and not names and package.cmake.targets:
-        where = "LIBRARIES" if command.name == "catkin_package" else f"{command.name}()"
-        return f"; {where} takes libraries, and the package builds none: remove the name"
-    if near:
-        return f"; did you mean {near}?"
-    return "; correct the name, or remove it" if command.name == "ament_export_dependencies" else _instead(names)
-
-
-def _hint_of_several(package: ProjectPackage, command: CMakeCommand, wrong: tuple[str, ...]) -> str:
-    """What to write instead of the libraries *wrong*: for each another one, or nothing."""
-    near = [_near(package, command, name) for name in wrong]
-    if all(near) and len(set(near)) == len(near):
-        return f"; did you mean {listed(near)}?"
-    names = [candidate for candidate in _candidates(package, command, wrong[0]) if candidate not in command.arguments]
-    return f"{_instead(names)}: write the right ones, or remove the names" if names else "; remove the names"
-
-
-def _is_library(command: CMakeCommand, name: str) -> bool:
-    return command.name in _OF_LIBRARIES and name not in command.after("INCLUDE_DIRS", *_KEYWORDS)
-
-
-def _candidates(package: ProjectPackage, command: CMakeCommand, name: str) -> list[str]:
-    """What *name* may be meant for."""
-    if command.name == "ament_export_dependencies":
-        return sorted(
-            {word for other_command in package.commands("find_package") for word in other_command.arguments[:1]}
-        )
-    names = sorted(package.cmake.targets)
-    if _is_library(command, name):  # an executable is no library that others could link
-        return [item for item in names if package.cmake.targets[item].kind != "executable"]
-    return names
-
-
-def _near(package: ProjectPackage, command: CMakeCommand, name: str) -> str:
-    """The one that *name* is meant for; "" where none is like it."""
-    names = _candidates(package, command, name)
-    near = _by_squeezed(tuple(names)).get(_squeezed(name), [])
-    if _is_library(command, name) and not near:
-        near = _only_installed(package, names)
-    near = near or get_close_matches(name[:100], names[:MAX_NAMES], 1, 0.75)
-    return near[0] if near else ""
-
-
-def _only_installed(package: ProjectPackage, libraries: list[str]) -> list[str]:
-    """The one of *libraries* that the package installs; none where there are several, or what it installs is not known."""
-    keywords = "ARCHIVE LIBRARY RUNTIME EXPORT DESTINATION PUBLIC_HEADER INCLUDES OBJECTS COMPONENT".split()
-    words = {word for command in package.commands("install") for word in command.after("TARGETS", *keywords)}
-    found = [name for name in libraries if name in words]
-    return found if len(found) == 1 and not any("$" in word for word in words) else []
-
-
-@lru_cache(maxsize=4)
-def _by_squeezed(names: tuple[str, ...]) -> dict[str, list[str]]:
-    """Those that differ in nothing else together, in their order: what is unknown in a package is looked up in the same names."""
-    found: dict[str, list[str]] = {}
-    for name in names:
-        found.setdefault(_squeezed(name), []).append(name)
-    return found
-
-
-def _squeezed(name: str) -> str:
-    """*name* without what names of CMake, ROS and file systems differ in: case, hyphens and underscores."""
-    return name.replace("-", "").replace("_", "").lower()
-
-
-def _instead(targets: list[str]) -> str:
-    """What to write for a name that is like none of *targets*."""
-    if not targets:
-        return "; remove the name"
-    more = f" and {len(targets) - 3} more" if len(targets) > 3 else ""
-    return f"; the package builds {', '.join(targets[:3])}{more}"
 
 
 CHECK = Check(
