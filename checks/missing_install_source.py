@@ -9,17 +9,22 @@ from difflib import get_close_matches
 
 from haros_ci.api import Check, Finding, Level, Project, ProjectPackage, regex
 from haros_ci.api.launch import similar_files
-from haros_ci.api.packages import NO_ENTRIES, CMakeCommand, entries_of, exports, is_ignored, is_told_of, may_appear
+from haros_ci.api.packages import (
+    NO_ENTRIES,
+    CMakeCommand,
+    brings_files,
+    entries_of,
+    exports,
+    is_ignored,
+    is_told_of,
+    may_appear,
+)
 
 _KINDS = ("FILES", "PROGRAMS", "DIRECTORY")
 #: Keywords that end the list of files in install() and similar commands.
 _ENDS = regex(
     r"DESTINATION|TYPE|PATTERN|REGEX|RENAME|COMPONENT|PERMISSIONS|\w+_PERMISSIONS|CONFIGURATIONS|FILES_MATCHING|OPTIONAL"
     r"|MESSAGE_NEVER|EXCLUDE|EXCLUDE_FROM_ALL|INSTALL_TO_SHARE|INSTALL_TO_PATH|USE_SOURCE_PERMISSIONS|CONFIG_EXTRAS\w*"
-)
-#: Commands that bring or make files whose names they do not tell.
-_MAKERS = regex(
-    r"externalproject_|fetchcontent_|catkin_download|ament_vendor|execute_process|exec_program|git_submodule|vcs|cpm|.*download"
 )
 #: What a setup.py has that does more than to call setup(), or does it under conditions: it may make the files that it installs.
 _DOES_MORE = regex(
@@ -55,7 +60,7 @@ def check(project: Project) -> Iterator[Finding]:
         commands = package.build.commands
         named = frozenset(place for command in commands for word in command.arguments if (place := command.place(word)))
         exported = _exported(package, named)
-        if any(_MAKERS.match(c.name) or (c.name == "file" and "DOWNLOAD" in c.arguments[:1]) for c in commands):
+        if brings_files(package):
             continue
         reported: set[str] = set()
         for command in commands:

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from haros_ci.api import Check, Finding, Level, Project, ProjectPackage, regex
 from haros_ci.api.launch import similar_files
-from haros_ci.api.packages import OF_TARGETS, CMakeCommand, is_told_of, may_appear
+from haros_ci.api.packages import OF_TARGETS, CMakeCommand, brings_files, is_told_of, may_appear
 
 #: What add_executable() and add_library() take as files; what has another ending may be a keyword, a target or a library.
 _SOURCE = regex(r"[^$<>;*?]{1,300}\.(?:c|cc|cpp|cxx|c\+\+|cu|h|hh|hpp|hxx)\Z")
@@ -25,11 +25,8 @@ _QUIET = (
         "rclcpp_components_register_node rclcpp_components_register_nodes set set_source_files_properties source_group target_sources".split()
     )
 )
-#: Commands that bring or make files whose names they do not tell.
-_BRINGING = regex(
-    r"externalproject_|fetchcontent_|ament_vendor|execute_process|exec_program|git_submodule|vcs|cpm|.*download|.*generat"
-)
-#: Those of ROS make code in the build space, and no sources of targets.
+#: Commands that make code, and which of them is not known; and those of ROS, which make it in the build space, and no sources of targets.
+_GENERATING = regex(r".*generat")
 _OF_ROS = frozenset(
     (
         "generate_dynamic_reconfigure_options",
@@ -48,7 +45,9 @@ def check(project: Project) -> Iterator[Finding]:
     for package in project.packages:
         if package.raw.build_type == "ament_python" or not package.cmake.is_whole:
             continue
-        if any(_BRINGING.match(name) for command in package.build.commands if (name := command.name) not in _OF_ROS):
+        if brings_files(package) or any(
+            _GENERATING.match(c.name) and c.name not in _OF_ROS for c in package.build.commands
+        ):
             continue
         reported: set[str] = set()
         for command in package.build.commands:

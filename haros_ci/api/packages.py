@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from haros_ci.checking.appearing import is_ignored, is_told_of, may_appear
+from haros_ci.checking.appearing import brings_files, is_ignored, is_told_of, may_appear
 from haros_ci.checking.boost import boost_keys
 from haros_ci.checking.build_tool import AMENT, CATKIN, always_called, undeclared_build_tools
 from haros_ci.checking.built_against import is_built_against
@@ -217,6 +217,7 @@ __all__ = [
     "asks_what_is_installed",
     "boost_keys",
     "brings",
+    "brings_files",
     "brought_by",
     "build_types",
     "changes_modes",

@@ -13,6 +13,19 @@ from haros_ci.model.globs import fault, matches
 from haros_ci.model.workspace import Workspace
 from haros_ci.regex import regex
 
+#: Commands that bring or make files whose names they do not tell.
+_BRINGING = regex(
+    r"externalproject_|fetchcontent_|catkin_download|ament_vendor|execute_process|exec_program|git_submodule|vcs|cpm|.*download"
+)
+
+
+def brings_files(package: ProjectPackage) -> bool:
+    """Whether CMake downloads files for *package*, or runs programs that may make some, while it configures the package."""
+    return any(
+        _BRINGING.match(command.name) or (command.name == "file" and "DOWNLOAD" in command.arguments[:1])
+        for command in package.build.commands
+    )
+
 
 def may_appear(package: ProjectPackage, path: str, quiet: Collection[str]) -> bool:
     """Whether something may make the root-relative *path*: a submodule, a command that names it, or an entry of ``.gitignore``.
