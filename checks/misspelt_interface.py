@@ -6,7 +6,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from haros_ci.api import Check, Finding, Level, Location, Project, is_one_edit
+from haros_ci.api import Check, Finding, Level, Location, Project, is_letter_slip
 from haros_ci.api.interfaces import InterfaceReference, InterfaceUsers, always_at, references_to
 from haros_ci.api.packages import paths_by_name
 
@@ -68,16 +68,8 @@ def _meant(project: Project, reference: InterfaceReference) -> str:
             return ""
         if reference.kind in (kind, ""):
             stems[short.replace("_", "").lower()] = short
-    near = [
-        short
-        for stem, short in stems.items()
-        if is_one_edit(stem, reference.stem) and _digits(stem) == _digits(reference.stem)
-    ]
+    near = [short for stem, short in stems.items() if is_letter_slip(stem, reference.stem)]
     return near[0] if len(near) == 1 else ""
-
-
-def _digits(stem: str) -> str:
-    return re.sub(r"\D", "", stem)
 
 
 def _is_here(project: Project, written: str) -> bool:

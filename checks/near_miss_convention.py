@@ -14,7 +14,7 @@ from haros_ci.api import (
     Level,
     Project,
     WholeGraph,
-    is_one_edit,
+    is_letter_slip,
     may_be,
     named_at,
 )
@@ -58,11 +58,7 @@ def _meant(end: End) -> Iterator[str]:
     last = end.name.rpartition("/")[2]
     names = NAMES.get(f"{package}/{rest.rpartition('/')[2]}", ())
     if last not in names:
-        yield from (
-            name
-            for name in names
-            if is_one_edit(last, name) and _bare(last) != _bare(name) and last.replace("_", "").isalpha()
-        )
+        yield from (name for name in names if is_letter_slip(last, name) and _bare(last) != _bare(name))
 
 
 def _bare(name: str) -> str:

@@ -18,39 +18,33 @@ _KINDS = {"executable": "program", "component": "component", "nodelet": "nodelet
 
 def check(system: System) -> Iterator[Finding]:
     for use in system.facts(ProgramUse):
-        if use.is_found is None and (near := tuple(name for name in use.similar if is_slip(name, use.program))):
+        message = _message(use, system)
+        if message:
             yield Finding(
                 at=use.location,
-                message=f"no {_KINDS[use.kind]} {use.program!r} is known of package {use.package}, which is not in the workspace: this node "
-                f"probably cannot start{meant(near)}",
+                message=message,
                 about=(f"{use.package}/{use.program}",),
                 flow=included_by(use),
                 apart=(use.program,),
-                level=Level.WARNING,
+                level=Level.WARNING if use.is_found is None else None,
                 presence=use.presence,
             )
-        if use.is_found is not False:
-            continue
-        if use.is_library:
-            yield Finding(
-                at=use.location,
-                message=f"{use.program!r} of package {use.package} is a library, not a program: this node cannot "
-                f"start{_instead(use)}",
-                about=(f"{use.package}/{use.program}",),
-                flow=included_by(use),
-                apart=(use.program,),
-                presence=use.presence,
-            )
-            continue
-        yield Finding(
-            at=use.location,
-            message=f"package {use.package} {_WORDS[use.kind]} {use.program!r}: this node cannot start"
-            + (_as_script(use, system) or meant(use.similar) or "; correct the name, or build and install it"),
-            about=(f"{use.package}/{use.program}",),
-            flow=included_by(use),
-            apart=(use.program,),
-            presence=use.presence,
+
+
+def _message(use: ProgramUse, system: System) -> str:
+    """What is wrong with what is started; "" where it is there, or may be."""
+    if use.is_found is None:
+        near = tuple(name for name in use.similar if is_slip(name, use.program))
+        known = (
+            f"no {_KINDS[use.kind]} {use.program!r} is known of package {use.package}, which is not in the workspace"
         )
+        return f"{known}: this node probably cannot start{meant(near)}" if near else ""
+    if use.is_found:
+        return ""
+    if use.is_library:
+        return f"{use.program!r} of package {use.package} is a library, not a program: this node cannot start{_instead(use)}"
+    hint = _as_script(use, system) or meant(use.similar) or "; correct the name, or build and install it"
+    return f"package {use.package} {_WORDS[use.kind]} {use.program!r}: this node cannot start{hint}"
 
 
 def _as_script(use: ProgramUse, system: System) -> str:

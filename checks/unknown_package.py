@@ -23,7 +23,7 @@ def check(system: System) -> Iterator[Finding]:
         seen.add((use.location.path, use.package))
         if use.is_here or use.package in known or not _NAME.match(use.package):
             continue
-        meant = meant_here(use.package, system.packages) or meant_here(use.package, sorted(known))
+        meant = meant_here(use.package, system.packages, known)
         if meant is None and (use.package in system.whole.repositories or is_optional(use, system)):
             continue
         sure = meant is not None

@@ -19,7 +19,7 @@ def check(project: Project) -> Iterator[Finding]:
         for use in lookups(package):
             if use.name in declared or use.name in names or project.knowledge.is_package(use.name) is not False:
                 continue
-            here = meant_here(use.name, names) or meant_here(use.name, sorted(declared))
+            here = meant_here(use.name, names, declared)
             if here is None and use.name in repositories_named(project.workspace):
                 continue
             meant = here or meant_released(use.name)
@@ -35,7 +35,7 @@ def _in_launch_files(
     for use in launch_lookups(package):
         if use.name in declared or use.name in names or (use.location.path, use.name) in used:
             continue
-        meant = meant_here(use.name, names) or meant_here(use.name, sorted(declared))
+        meant = meant_here(use.name, names, declared)
         if meant is not None:
             yield _finding(use, meant, is_here=True)
 

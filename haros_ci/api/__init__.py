@@ -18,7 +18,7 @@ from haros_ci.checking.given import (
 from haros_ci.checking.given_names import is_given_away
 from haros_ci.checking.incompatible import incompatible
 from haros_ci.checking.kinds import ACTION, NO_SYSTEMS, SERVICE, TOPIC
-from haros_ci.checking.likeness import is_moved, is_one_edit, is_slip, may_be
+from haros_ci.checking.likeness import is_letter_slip, is_moved, is_slip, may_be
 from haros_ci.checking.offered import type_mismatches
 from haros_ci.checking.project import Project, ProjectPackage
 from haros_ci.checking.remapping import is_idle, named_at, rule_of, way_to
@@ -82,10 +82,10 @@ __all__ = [
     "is_idle",
     "is_mentioned",
     "is_read_besides",
+    "is_letter_slip",
     "is_moved",
     "is_never_made",
     "is_opaque",
-    "is_one_edit",
     "is_slip",
     "line_of",
     "listed",

@@ -22,7 +22,7 @@ from haros_ci.checking.file_words import (
     makes_by_name,
     named_in,
 )
-from haros_ci.checking.likeness import is_one_edit
+from haros_ci.checking.likeness import is_letter_slip
 from haros_ci.checking.project import Project
 from haros_ci.code.classes import Owner, bases
 from haros_ci.code.codebase import Codebase, Routine
@@ -156,7 +156,7 @@ def unset_attributes(project: Project) -> Iterator[Unset]:
 
 def _is_private(name: str, own: Set[str]) -> bool:
     """Whether *name* may be one that a library's class has for itself: with an underscore, and no slip of an *own* one of the class."""
-    is_alike = name not in _PRIVATE and len(own) <= _MOST_OWN and any(is_one_edit(name, other) for other in own)
+    is_alike = name not in _PRIVATE and len(own) <= _MOST_OWN and any(is_letter_slip(name, other) for other in own)
     return name.startswith("_") and not is_alike
 
 

@@ -35,14 +35,17 @@ def is_slip(one: str, other: str) -> bool:
         return False
     if _bare(one) == _bare(other):
         return True
-    if [c for c in one if c.isdigit()] != [c for c in other if c.isdigit()]:
-        return False
     words, others = one.split("_"), other.split("_")
     if len(words) == len(others):
         differing = [pair for pair in zip(words, others) if pair[0] != pair[1]]
         if any(frozenset(pair) in _TWINS or min(map(len, pair)) < 3 for pair in differing):
             return False
-    return is_one_edit(one.lower(), other.lower())
+    return is_letter_slip(one.lower(), other.lower())
+
+
+def is_letter_slip(one: str, other: str) -> bool:
+    """Whether two names of any length differ by one letter that is too much, too few or wrong, or by two swapped ones: digits distinguish names."""
+    return one != other and _digits(one) == _digits(other) and _one_edit(one, other)
 
 
 def is_moved(one: str, other: str) -> bool:
@@ -67,8 +70,12 @@ def _bare(word: str) -> str:
     return word.replace("_", "").lower()
 
 
-def is_one_edit(one: str, other: str) -> bool:
-    """Whether Damerau's distance is one: a letter too much, too few, wrong, or two swapped."""
+def _digits(name: str) -> list[str]:
+    return [letter for letter in name if letter.isdigit()]
+
+
+def _one_edit(one: str, other: str) -> bool:
+    """Whether Damerau's distance is one, of two that differ."""
     if abs(len(one) - len(other)) > 1:
         return False
     at = next((i for i, (a, b) in enumerate(zip(one, other)) if a != b), min(len(one), len(other)))

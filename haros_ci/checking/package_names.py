@@ -15,8 +15,9 @@ _COMMON = 4
 _LONG = 7
 
 
-def meant_here(name: str, names: Collection[str]) -> str | None:
-    """The package of a workspace with these *names* that is meant: misspelt, or with the prefix that many packages there have.
+def meant_here(name: str, names: Collection[str], declared: Collection[str] = ()) -> str | None:
+    """The package of a workspace with these *names* that is meant: misspelt, or with the prefix that many packages there have; else one that
+    its manifests have (*declared*), misspelt.
 
     A name that a distribution has, or may have, is a package of its own, however much it is like one here.
     """
@@ -26,7 +27,7 @@ def meant_here(name: str, names: Collection[str]) -> str | None:
         prefix = other.removesuffix(name)
         if is_slip(name, other) or (prefix != other and prefix.endswith("_") and _is_common(prefix, names)):
             return other
-    return None
+    return min((other for other in declared if is_slip(name, other)), default=None)
 
 
 def meant_released(name: str) -> str | None:
