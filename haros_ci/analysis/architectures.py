@@ -21,7 +21,7 @@ if TYPE_CHECKING:  # they are loaded where there is something to check
     from haros_ci.analysis.architecture_codec import Lines
     from haros_ci.analysis.kept_architecture import KeptArchitectures
     from haros_ci.behaviour.declared import Stated
-    from haros_ci.checking.doors import Doors
+    from haros_ci.checking.cpp_texts import CppTexts
     from haros_ci.checking.project import Project
     from haros_ci.checking.system import System
     from haros_ci.code.codebase import Codebase
@@ -140,7 +140,7 @@ def project_of(
     access: Sequence[AccessRule] = (),
     hidden: frozenset[str] = frozenset(),
     code: Callable[[], Codebase] | None = None,
-    doors: Doors | None = None,
+    cpp_texts: CppTexts | None = None,
 ) -> Project:
     """What the checks of packages see, from what the architecture was *made* of; *base* is that of the base revision.
 
@@ -180,5 +180,5 @@ def project_of(
         project_file=project_file,
         stated=stated,
         access=access,
-        doors=doors,
+        cpp_texts=cpp_texts,
     )

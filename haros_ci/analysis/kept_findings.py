@@ -14,7 +14,7 @@ from haros_ci.analysis.architectures import project_of
 from haros_ci.analysis.kept_runs import GROUP, key_of
 from haros_ci.analysis.same_model import Moved
 from haros_ci.checking.checked import Checked
-from haros_ci.checking.doors import Doors
+from haros_ci.checking.cpp_texts import CppTexts
 from haros_ci.checking.includes import includes, is_for_moc
 from haros_ci.checking.project import Project
 from haros_ci.checking.system import systems
@@ -100,9 +100,9 @@ def parts_of(made: Linked, workspace: Workspace, project_file: str, access: tupl
 
     code = partial(codebase, made.sources, noted, ros, workspace.text, words)
     seen = partial(project_of, made, rest, every, _no_base, project_file=project_file, access=access)
-    doors = Doors(workspace.text, noted, words)
+    cpp_texts = CppTexts(workspace.text, noted, words)
     without = Part(seen(hidden=hidden, code=refuse), every)
-    return without, Part(seen(code=code, doors=doors), every, True, words, files)
+    return without, Part(seen(code=code, cpp_texts=cpp_texts), every, True, words, files)
 
 
 def _no_base() -> Project | None:
@@ -110,7 +110,7 @@ def _no_base() -> Project | None:
 
 
 def _is_alike(path: str, before: str, now: str, lines: Lines | None, words: Iterable[str]) -> bool:
-    """Whether two texts of the file at *path* are the same for the doors through which parts see them: words, and includes on their new *lines*."""
+    """Whether two texts of the file at *path* are the same for what parts look up in them: words, and includes on their new *lines*."""
     whole = set(re.findall(r"\w+", before)), set(re.findall(r"\w+", now))
     if any((word in before) != (word in now) or (word in whole[0]) != (word in whole[1]) for word in words):
         return False

@@ -10,7 +10,7 @@ from haros_ci.results.result import Graph, Notification, Result
 
 
 class Unseen(NamedTuple):
-    """The ids of checks that saw nothing of C++, and of those that saw programs, but texts through doors alone.
+    """The ids of checks that saw nothing of C++, and of those that saw programs, but of texts the words and includes alone, or what is noted.
 
     *words* are what these looked up in texts, *read* are the paths of the files that they read.
     """

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""How checks come by the texts of C++ where not all of them are seen (``checking.unseen``)."""
+"""How checks come by the texts of C++ files, so that what they asked for can be noted (``checking.unseen``)."""
 
 from __future__ import annotations
 
@@ -9,8 +9,8 @@ from haros_ci.records import dataclass, field
 
 
 @dataclass(frozen=True, slots=True)
-class Doors:
-    """How texts of C++ are had where not all of them are seen: *glance* is for the words and includes of one, *read* for all of it; *words* are those asked for."""
+class CppTexts:
+    """Two ways to a text by its path: *glance* for looking up words and includes alone, *read* for all of it; *words* are those looked up."""
 
     glance: Callable[[str], str]
     read: Callable[[str], str]

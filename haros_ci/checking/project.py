@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Protocol
 
 from haros_ci.changes.revision import Revision, changes_of
 from haros_ci.checking.cmake import CMake
-from haros_ci.checking.doors import Doors
+from haros_ci.checking.cpp_texts import CppTexts
 from haros_ci.checking.entries import below, entries_of
 from haros_ci.checking.system import System
 from haros_ci.knowledge.knowledge import Knowledge
@@ -155,12 +155,12 @@ class Project:
         project_file: str = "",
         stated: Sequence[Stated] | None = None,
         access: Sequence[AccessRule] = (),
-        doors: Doors | None = None,
+        cpp_texts: CppTexts | None = None,
     ) -> None:
         self.workspace = workspace
-        self._doors = doors or Doors(workspace.text, workspace.text)
+        self._cpp_texts = cpp_texts or CppTexts(workspace.text, workspace.text)
         #: The text of a file for what it includes (``checking.includes``) and for nothing else.
-        self.glance = self._doors.glance
+        self.glance = self._cpp_texts.glance
         #: The path of the project file; "" if there is none in the workspace.
         self.project_file = project_file
         self._stated = stated
@@ -328,13 +328,13 @@ class Project:
 
         For who goes through all files of code: what is asked so is not asked again after a change elsewhere (``checking.unseen``).
         """
-        self._doors.words.update(words)
+        self._cpp_texts.words.update(words)
         text = self.glance(path)
         return any(word in text for word in words)
 
     def text_with(self, path: str, *words: str) -> str:
         """The text of a file that has one of *words*; else ""."""
-        return self._doors.read(path) if self.has_word(path, *words) else ""
+        return self._cpp_texts.read(path) if self.has_word(path, *words) else ""
 
     def element(self, path: str) -> Element | None:
         """The root element of an XML file of the workspace; None for any other file."""

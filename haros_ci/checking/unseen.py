@@ -3,7 +3,7 @@
 
 A check is asked first on a workspace that refuses the texts and programs of these files, the call graph, the base revision and other launch arguments.
 What it says there cannot depend on any of them, whatever it remembers on the way: all that it shares with other checks was made of the same workspace.
-A check that asks for more is asked again where programs are seen, too, and texts through doors alone: which words stand in one (``Codebase.look``,
+A check that asks for more is asked again where programs are seen, too, and texts by three functions alone: which words stand in one (``Codebase.look``,
 ``Project.text_with``), what it includes (``Project.glance``), and all of it, which is noted. What it says there holds where words and includes are the same,
 programs have only moved, and what was read is no file that has changed. One that asks for still more is asked on all of the workspace.
 """

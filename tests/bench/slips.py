@@ -219,6 +219,7 @@ def check(root: Path, cache: Path) -> list[dict[str, object]]:
 
 
 def of_checkout(checkout: Path, options: argparse.Namespace) -> Iterator[tuple[Slip, list[dict[str, object]]]]:
+    """Each slip that is made in a copy of *checkout*, with the new results of ``check``."""
     with tempfile.TemporaryDirectory(dir=options.work) as directory:
         root, cache = Path(directory, checkout.name), Path(directory, "cache")
         cache.mkdir()
