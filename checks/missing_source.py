@@ -35,8 +35,6 @@ _OF_ROS = frozenset(
         "rosidl_generate_interfaces",
     )
 )
-
-
 #: Files of one package for which one that is meant is looked for: each is compared with all that are there.
 MOST_COMPARED = 100
 

@@ -7,8 +7,7 @@ import re
 from collections.abc import Iterator
 
 from haros_ci.api import Check, Finding, Level, Location, Project, is_letter_slip
-from haros_ci.api.interfaces import InterfaceReference, InterfaceUsers, always_at, references_to
-from haros_ci.api.packages import paths_by_name
+from haros_ci.api.interfaces import InterfaceReference, InterfaceUsers, always_at, is_written_here, references_to
 
 
 def check(project: Project) -> Iterator[Finding]:
@@ -22,19 +21,8 @@ def check(project: Project) -> Iterator[Finding]:
     for reference, places in InterfaceUsers(project).named.items():
         meant = meant_by(reference)
         for path, written in places if meant else ():
-            at = (
-                None
-                if path in project.code.unbuilt or _is_here(project, written)
-                else always_at(project, path, written)
-            )
-            if at is not None:
-                shown = written.strip('"<>')
-                effect = (
-                    "included, so that this file does not build"
-                    if "/" in shown
-                    else "imported, so that the import fails"
-                )
-                yield _finding(at, f"{shown} is {effect}", shown, reference.package, meant)
+            if path not in project.code.unbuilt and not is_written_here(project, written):
+                yield from _named(project, path, written, reference.package, meant)
     for package in project.packages:
         for interface in package.build.interfaces:
             for field in (one for section in interface.sections for one in section if interface.is_generated):
@@ -42,14 +30,25 @@ def check(project: Project) -> Iterator[Finding]:
                 meant = meant_by(InterfaceReference(name, "msg", short.lower())) if short else ""
                 if meant:
                     at = Location(interface.path, field.line)
-                    what = f"{interface.name} has a field {field.name} of {name}/{short}, so that {package.name} does not build"
-                    yield _finding(at, what, f"{interface.name} {name}/{short}", name, meant)
+                    what, effect = (
+                        f"{interface.name} has a field {field.name} of {name}/{short}",
+                        f"{package.name} does not build",
+                    )
+                    yield _finding(at, what, effect, f"{interface.name} {name}/{short}", name, meant)
 
 
-def _finding(at: Location, what: str, about: str, package: str, meant: str) -> Finding:
+def _named(project: Project, path: str, written: str, package: str, meant: str) -> Iterator[Finding]:
+    """The finding of one import or include, where it stands under no condition."""
+    at, shown = always_at(project, path, written), written.strip('"<>')
+    use, effect = ("included", "this file does not build") if "/" in shown else ("imported", "the import fails")
+    if at is not None:
+        yield _finding(at, f"{shown} is {use}", effect, shown, package, meant)
+
+
+def _finding(at: Location, what: str, effect: str, about: str, package: str, meant: str) -> Finding:
     return Finding(
         at=at,
-        message=f"{what}: no release of {package} defines this interface; did you mean {package}/{meant}?",
+        message=f"{what}, but no release of {package} defines this interface: {effect}; did you mean {package}/{meant}?",
         about=(about,),
         apart=(at.path, about),
     )
@@ -70,16 +69,6 @@ def _meant(project: Project, reference: InterfaceReference) -> str:
             stems[short.replace("_", "").lower()] = short
     near = [short for stem, short in stems.items() if is_letter_slip(stem, reference.stem)]
     return near[0] if len(near) == 1 else ""
-
-
-def _is_here(project: Project, written: str) -> bool:
-    """Whether the workspace has a header of this path, or a module in the place of the generated one."""
-    name = written.strip('"<>')
-    if "/" not in name:
-        module = name.rpartition(".")[0].replace(".", "/")
-        return any(path.endswith((f"{module}.py", f"{module}/__init__.py")) for path in project.workspace.names)
-    paths = paths_by_name(project.workspace.names).get(name.rpartition("/")[2], ())
-    return any(f"/{path}".endswith(f"/{name}") for path in paths)
 
 
 CHECK = Check(

@@ -69,8 +69,8 @@ def _finding(end: End, name: str) -> Finding:
     usual = end.name[: end.name.rfind("/") + 1] + name
     return Finding(
         at=named_at(end),
-        message=f"{end.word} {end.name} of {end.node} has no partner in this workspace, and nearly the name that other programs of ROS have for "
-        f"{end.type}: did you mean {usual}?",
+        message=f"{end.word} {end.name} of {end.node} connects to nothing in this workspace, and its name is nearly the usual one for {end.type}: "
+        f"did you mean {usual}?",
         about=(end.name,),
         apart=(end.name,),
     )

@@ -10,8 +10,7 @@ from dataclasses import replace
 from difflib import get_close_matches
 
 from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage, regex
-from haros_ci.api.interfaces import InterfaceReference, InterfaceUsers, always_at, references_to
-from haros_ci.api.packages import paths_by_name
+from haros_ci.api.interfaces import InterfaceReference, InterfaceUsers, always_at, is_written_here, references_to
 
 GENERATE = ("rosidl_generate_interfaces", "add_message_files", "add_service_files", "add_action_files")
 ENDINGS = (".msg", ".srv", ".action", ".idl")
@@ -203,16 +202,12 @@ def _unless_handmade(
 ) -> Finding | None:
     """The finding for one name in one file; None where people may have written what it means, or only some builds read it."""
     at = always_at(project, path, written)
-    if at is None:
+    if at is None or is_written_here(project, written):
         return None
     name = written.strip('"<>')
     if "/" in name:
         file = name.rpartition("/")[2]
         if (not reference.kind and reference.stem.endswith(OF_A_CONFIG)) or _OF_ALL.fullmatch(file):
-            return None
-        if any(
-            f"/{other_path}".endswith(f"/{name}") for other_path in paths_by_name(project.workspace.names).get(file, ())
-        ):
             return None
         stem = file.partition(".")[0]
         if any(stem in argument for command in of.package.build.commands for argument in command.arguments):
@@ -221,9 +216,6 @@ def _unless_handmade(
         is_sure = path in built
         effect = "this file does not build"
     else:
-        module = name.rpartition(".")[0].replace(".", "/")
-        if any(name.endswith((f"{module}.py", f"{module}/__init__.py")) for name in project.workspace.names):
-            return None
         message = f"{name} is imported, but {of.package.name} defines no such interface"
         effect, is_sure = "the import fails", True
     return Finding(

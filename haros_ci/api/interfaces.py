@@ -6,7 +6,7 @@ from __future__ import annotations
 from haros_ci.changes.interfaces import InterfaceChange, containing
 from haros_ci.changes.interfaces import in_words as change_in_words
 from haros_ci.checking.field_values import WrongValue, wrong_values
-from haros_ci.checking.interface_users import InterfaceUsers, always_at, changes_of, defined_in
+from haros_ci.checking.interface_users import InterfaceUsers, always_at, changes_of, defined_in, is_written_here
 from haros_ci.checking.message_fields import Missing as MissingField
 from haros_ci.checking.message_fields import missing_fields
 from haros_ci.checking.unnamed_values import UnnamedValues, unnamed_values
@@ -25,6 +25,7 @@ __all__ = [
     "changes_of",
     "containing",
     "defined_in",
+    "is_written_here",
     "missing_fields",
     "of_include",
     "references_to",

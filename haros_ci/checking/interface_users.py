@@ -8,6 +8,7 @@ from collections.abc import Iterator, Mapping
 from functools import cached_property
 
 from haros_ci.changes.interfaces import Defined, InterfaceChange, interface_changes
+from haros_ci.checking.entries import paths_by_name
 from haros_ci.checking.kinds import ACTION, SERVICE, TOPIC
 from haros_ci.checking.project import Project
 from haros_ci.checking.system import End
@@ -91,6 +92,16 @@ def short_name(type: str) -> str:
     """``pkg/T`` of ``pkg/msg/T``."""
     package, _, rest = type.partition("/")
     return f"{package}/{rest.rpartition('/')[2]}"
+
+
+def is_written_here(project: Project, written: str) -> bool:
+    """Whether the workspace itself has the header that is included, or a module in the place of the generated one: people may have written what it means."""
+    name = written.strip('"<>')
+    names = project.workspace.names
+    if "/" in name:
+        return any(f"/{path}".endswith(f"/{name}") for path in paths_by_name(names).get(name.rpartition("/")[2], ()))
+    module = name.rpartition(".")[0].replace(".", "/")
+    return any(path.endswith((f"{module}.py", f"{module}/__init__.py")) for path in names)
 
 
 def location_of(project: Project, path: str, written: str) -> Location:

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import ast
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from itertools import takewhile
 
 FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda)
@@ -34,7 +34,7 @@ def deletions(body: list[ast.stmt]) -> set[int]:
     return {id(one) for one in body if isinstance(one, ast.Delete)}
 
 
-def own_nodes(body: list[ast.stmt]) -> Iterator[ast.AST]:
+def own_nodes(body: Iterable[ast.AST]) -> Iterator[ast.AST]:
     """All that a function is made of, but for what its inner functions and classes are."""
     todo: list[ast.AST] = list(body)
     while todo:

@@ -4,8 +4,8 @@
 from __future__ import annotations
 
 import ast
-from collections.abc import Iterator
 
+from haros_ci.linters.bodies import own_nodes
 from haros_ci.linters.pylint_idioms import nodes
 from haros_ci.regex import regex
 
@@ -24,14 +24,14 @@ def is_counted_up(text: str, line: int) -> bool:
     name, scopes_of_all = found[0].target.id, [node for node in nodes(text) if isinstance(node, _SCOPES)]
     around = [scope for scope in scopes_of_all if scope.lineno <= line <= (scope.end_lineno or 0)]
     scope = max(around, key=lambda scope: scope.lineno, default=next(iter(nodes(text))))
-    changed = {id(node.target) for node in _own(scope) if isinstance(node, ast.AugAssign)}
+    changed = {id(node.target) for node in own_nodes(ast.iter_child_nodes(scope)) if isinstance(node, ast.AugAssign)}
     return any(
         isinstance(inner, ast.Name)
         and inner.id == name
         and isinstance(inner.ctx, ast.Store)
         and inner.lineno < line
         and id(inner) not in changed
-        for inner in _own(scope)
+        for inner in own_nodes(ast.iter_child_nodes(scope))
     )
 
 
@@ -47,19 +47,9 @@ def is_deleted_global(text: str, line: int, column: int) -> bool:
     for function in nodes(text):
         if not isinstance(function, ast.FunctionDef | ast.AsyncFunctionDef):
             continue
-        own = [*_own(function)]
+        own = [*own_nodes(ast.iter_child_nodes(function))]
         if any(isinstance(node, ast.Global) and name in node.names for node in own):
             uses = [node.ctx for node in own if isinstance(node, ast.Name) and node.id == name]
             is_set = is_set or any(isinstance(use, ast.Store) for use in uses)
             is_deleted = is_deleted or any(isinstance(use, ast.Del) for use in uses)
     return is_set and is_deleted
-
-
-def _own(scope: ast.AST) -> Iterator[ast.AST]:
-    """What is in *scope*, and in no function or class in it."""
-    waiting = [*ast.iter_child_nodes(scope)]
-    while waiting:
-        node = waiting.pop()
-        if not isinstance(node, _SCOPES):
-            yield node
-            waiting += ast.iter_child_nodes(node)
