@@ -35,10 +35,8 @@ def _message(use: ProgramUse, system: System) -> str:
     """What is wrong with what is started; "" where it is there, or may be."""
     if use.is_found is None:
         near = tuple(name for name in use.similar if is_slip(name, use.program))
-        known = (
-            f"no {_KINDS[use.kind]} {use.program!r} is known of package {use.package}, which is not in the workspace"
-        )
-        return f"{known}: this node probably cannot start{meant(near)}" if near else ""
+        what = f"package {use.package} is not in the workspace, and haros-ci knows no {_KINDS[use.kind]} {use.program!r} of it"
+        return f"{what}: this node probably cannot start{meant(near)}" if near else ""
     if use.is_found:
         return ""
     if use.is_library:
