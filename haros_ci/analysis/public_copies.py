@@ -12,6 +12,7 @@ import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 
+from haros_ci.analysis.foreign_projects import foreign_projects
 from haros_ci.analysis.imported_copies import imported
 from haros_ci.config.settings import Settings
 from haros_ci.knowledge.knowledge import knowledge
@@ -106,6 +107,8 @@ def quiet(workspace: Workspace, settings: Settings) -> Workspace:
     if is_compared or settings.with_copies or workspace.targets is not None:
         return workspace
     directories, changed = _copies(workspace)
+    people = {package.path: _people(package, workspace) for package in workspace.packages}
+    directories |= foreign_projects(workspace, people)
     if not directories:
         return workspace
     files = (

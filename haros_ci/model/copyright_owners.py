@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 
 from haros_ci.regex import regex
 
@@ -30,8 +31,13 @@ def owner_lines(head: str) -> list[str]:
 
 def owners_in(head: str) -> frozenset[str]:
     """The words that tell the owners of *head*'s copyright lines from others; none where a line has no such word."""
-    lines = [words(line) - _COMMON for line in owner_lines(head)]
-    return frozenset().union(*lines) if all(lines) else frozenset()
+    return owners_of(owner_lines(head))
+
+
+def owners_of(lines: Iterable[str]) -> frozenset[str]:
+    """The same of *lines* as owner_lines() gives them."""
+    named = [words(line) - _COMMON for line in lines]
+    return frozenset().union(*named) if all(named) else frozenset()
 
 
 def words(text: str) -> frozenset[str]:

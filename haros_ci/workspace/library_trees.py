@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Directories that are a release of another project, by the version in their name, or the tree of a well-known library, by its files."""
+"""Directories that are a release of another project, by the version or branch in their name, or the tree of a well-known library, by its files."""
 
 from __future__ import annotations
 
@@ -49,7 +49,8 @@ for _tree in _TREES:
 #: The drivers of a family of microcontrollers, as its maker gives them out: ``stm32f10x_lib/inc/stm32f10x_gpio.h`` and the source beside.
 _DRIVER = regex(r"(?:.{1,4000}/)?((stm32[a-z]\w{1,5}?)[^/]{0,40})/(?:inc|Inc|include)/\2_(?:hal_|ll_)?gpio\.h")
 #: ``solver-3.2.1``, ``libcam-x86_64-1.3``; a version of one number is anybody's.
-_RELEASE = regex(r"([A-Za-z][\w+-]{0,80}?)[-_]v?\d{1,4}(?:\.\d{1,6}){1,3}")
+#: So is what is downloaded of a branch, as GitHub and GitLab call it: ``solver-master``, ``libcam-main``.
+_RELEASE = regex(r"([A-Za-z][\w+-]{0,80}?)(?:[-_]v?\d{1,4}(?:\.\d{1,6}){1,3}|-(?:master|main|develop|trunk))")
 #: What a release of a project has at its root, besides a licence.
 _OF_RELEASE = regex(
     r"(?:configure(?:\.ac|\.in)?|authors|install|news|changes|changelog|history|release[-_]?notes|copyright)(?:\.(?:txt|md|rst))?",
@@ -86,7 +87,7 @@ def library_trees(names: Iterable[str], packages: Mapping[str, str]) -> frozense
 
 
 def releases(names: Iterable[str], licensed: Iterable[str], packages: Mapping[str, str]) -> frozenset[str]:
-    """The directories with a version in their name and, at their root, a licence (*licensed*) or what else a release has.
+    """The directories with a version, or a branch as downloads have it, in their name and, at their root, a licence (*licensed*) or what else a release has.
 
     One with a package in it, or that is called like a package or like what projects make themselves, is none.
     """

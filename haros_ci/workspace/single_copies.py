@@ -68,7 +68,7 @@ _MAKERS = tuple(
 )
 #: A licence of a maker's own.
 _CONTRACT = regex(r"\beula\b|\blicen[cs]e agreement\b|\b(?:software|plugins?) licen[cs]e\b", re.IGNORECASE)
-_OF_ROS = regex(
+OF_ROS = regex(
     r"\b(?:rospy|rclpy|rclcpp\w*|roslib|roscpp|rosbag\w*|nodelet|pluginlib|cv_bridge|dynamic_reconfigure|ament_\w+|catkin\w*|\w+_(?:msgs|srvs|interfaces))\b"
     r"|[<\"]ros/|\b(?:from|import)[ \t]+(?:launch(?:_ros)?\b|[\w.]+\.(?:msg|srv|action)[ \t]+import\b)"
 )
@@ -101,7 +101,7 @@ class SingleCopies(Judged):
         text = self._workspace.text(file.path)
         if _CHANGED.search(head):
             return False
-        if _OF_ROS.search(text) or not owner.isdisjoint(self._people):
+        if OF_ROS.search(text) or not owner.isdisjoint(self._people):
             return False
         if is_of_maker:
             return True

@@ -33,7 +33,7 @@ class ThirdParty:
 
     def __init__(self, names: Iterable[str], packages: Mapping[str, str], requested: Iterable[str] = ()) -> None:
         names = tuple(names)
-        self._licensed = {_directory(name) for name in names if _is_licence(name.rpartition("/")[2])}
+        self._licensed = {_directory(name) for name in names if is_licence(name.rpartition("/")[2])}
         self._packages = frozenset(packages)
         self._backups = {directory for directory, name in packages.items() if _is_backup(directory, name)}
         self._trees = library_trees(names, packages)
@@ -82,7 +82,7 @@ def _is_backup(directory: str, package: str) -> bool:
     )
 
 
-def _is_licence(name: str) -> bool:
+def is_licence(name: str) -> bool:
     return _LICENCE.fullmatch(name) is not None and not name.lower().endswith(_CODE)
 
 
