@@ -16,7 +16,7 @@ from typing import Any, cast
 from haros_ci.linters.linter import REFUTED, SILENCED, Linter, LintOptions, Unit
 from haros_ci.linters.rows import IsSelected
 from haros_ci.linters.run import lint
-from haros_ci.linters.work import is_asked_for, units_of
+from haros_ci.linters.work import asked_for, units_of
 from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Reader, Store, Workspace
 from haros_ci.records import dataclass
@@ -154,9 +154,8 @@ def _concerned(
     files = {file.path: file for file in workspace.files}
     return [
         unit
-        for unit in units_of(linter, workspace, options, store)
-        if is_asked_for(unit, workspace)
-        and any(path in changed for path in (unit.file.path, *unit.dependencies))
+        for unit in asked_for(units_of(linter, workspace, options, store), workspace)
+        if any(path in changed for path in (unit.file.path, *unit.dependencies))
         and any(may_be_silent(path) for path in (unit.file.path, *unit.covers))
     ]
 

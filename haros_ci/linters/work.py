@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 from typing import Protocol
 
 from haros_ci.linters import installed
@@ -145,7 +145,7 @@ def _begun(
 ) -> Work | Run | None:
     """What *linter* has to do; None if nothing, a failed run if it is missing."""
     plan = units_of(linter, workspace, options, store) if _concerns(linter, workspace) else ()
-    units = tuple(unit for unit in plan if is_asked_for(unit, workspace))
+    units = tuple(asked_for(plan, workspace))
     is_requested = linter.NAME in options.enabled
     needed = is_requested or linter.WHEN is When.ALWAYS
     if not units and not needed:
@@ -184,11 +184,14 @@ def _concerns(linter: Linter, workspace: Workspace) -> bool:
     return targets is None or any(f.path in targets and f.language in linter.LANGUAGES for f in workspace.files)
 
 
-def is_asked_for(unit: Unit, workspace: Workspace) -> bool:
-    """Whether *unit* tells of a file that the run reports on."""
-    if not unit.file.is_linted and not unit.covers:
-        return False
-    return workspace.targets is None or not workspace.targets.isdisjoint((unit.file.path, *unit.covers))
+def asked_for(units: Iterable[Unit], workspace: Workspace) -> Iterator[Unit]:
+    """Those of *units* that tell of a file that the run reports on, and in which somebody would mend something."""
+    targets = workspace.targets
+    unlinted = {file.path for file in workspace.files if not file.is_linted}
+    for unit in units:
+        paths = {unit.file.path, *unit.covers} - unlinted
+        if paths and (targets is None or not targets.isdisjoint(paths)):
+            yield unit
 
 
 def _missing(linter: Linter) -> Run:

@@ -3,13 +3,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable
 from pathlib import Path
 
 import pytest
 from linter_samples import FakeLinter, MemoryStore, everything, workspace
 
-from haros_ci.linters import cppcheck, growth, pylint
+from haros_ci.linters import cppcheck, growth, macro_growth, pylint
 from haros_ci.linters.linter import LintOptions, Unit
 from haros_ci.linters.run import lint
 from haros_ci.model.workspace import Workspace
@@ -42,6 +42,10 @@ EXPANDING = {
     "any arguments": f"#define D(...) __VA_ARGS__ __VA_ARGS__\n{nested('D', 30)}",
     "named ones": f"#define D(rest...) rest rest\n{nested('D', 30)}",
     "in a definition": f"{TWICE}#define Q(x) {'D(' * 30}x{')' * 30}\n",
+    "defined once more with another parameter": TWICE + "#if 0\n#define D(y) y\n#endif\n" + nested("D", 30),
+    "defined once more without parameters": TWICE + "#if 0\n#define D E\n#endif\n" + nested("D", 30),
+    "a tail defined once more": TWICE + "#define E D\n#if 0\n#define E 1\n#endif\n" + nested("E", 30),
+    "the second of two parameters": f"#define D(x, y) y y\n{nested('D', 30).replace('D(', 'D(1, ')}",
     "many large ones": doubled(18) + "#define P(x) A17 x\n" + "int a = P(1);\n" * 40,
 }
 
@@ -58,6 +62,10 @@ QUIET = {
     "a chain, last first": "".join(f"#define A{n} (A{n - 1} + 1)\n" for n in range(200, 0, -1)),
     "itself": "#define A A A\n" * 40,
     "two of each other": "#define A B\n#define B A\n",
+    "a circle": "#define A(x) B(x) + 1\n#define B(x) C(x) + 1\n#define C(x) A(x) + 1\nint a = A(1);\n",
+    "a circle of two uses": "#define A(x) B(x) B(x)\n#define B(x) A(x)\nint a = A(1);\n",
+    "a circle and a long way": "#define A(x) B(x) B0\n#define B(x) A(x)\nint a = A(1);\n#define B99 1\n"
+    + "".join(f"#define B{n} B{n + 1} + 1\n" for n in range(99)),
     "few doublings": doubled(12),
     "the larger of two": "#define MAX(a, b) ((a) > (b) ? (a) : (b))\nint x = MAX(1, MAX(2, MAX(3, MAX(4, 5))));\n",
     "many uses": "#define CHECK(a) if (!(a)) { fail(#a, __FILE__, __LINE__); }\n" + "CHECK(x);\n" * 5_000,
@@ -78,6 +86,33 @@ def test_macros_as_they_are_written(tmp_path: Path, name: str) -> None:
 def test_macros_of_a_header_hold_where_it_is_included(tmp_path: Path) -> None:
     files = {"include/a.hpp": doubled(40), "src/a.cpp": '#include "a.hpp"\n', "src/b.cpp": "int b;\n"}
     assert declined_by_cppcheck(tmp_path, files) == {"src/a.cpp": growth.LARGE_EXPANSION}
+
+
+def test_a_circle_of_macros_in_files_that_never_meet_is_none(tmp_path: Path) -> None:
+    files = {
+        "include/a.hpp": "#define A(x) B(x) B(x) B(x)\n",
+        "include/b.hpp": "#define B(x) C(x) C(x) C(x)\n",
+        "include/c.hpp": "#define C(x) D(x) D(x) D(x)\n" + doubled(17).replace("A", "D"),
+        **{f"src/{name}.cpp": f'#include "{name}.hpp"\nint a = {name.upper()}(1);\n' for name in "abc"},
+    }
+    assert declined_by_cppcheck(tmp_path, files) == {}
+
+
+@pytest.mark.parametrize(("text", "tables"), [("#define MAX(a, b) ((a) > (b) ? (a) : (b))\n", 1), (doubled(40), 31)])
+def test_many_files_that_include_one_are_looked_at_together(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, text: str, tables: int
+) -> None:
+    made: list[int] = []
+    init = macro_growth.Expansions.__init__
+
+    def counting(self: macro_growth.Expansions, defined: Collection[macro_growth.Macro]) -> None:
+        made.append(len(defined))
+        init(self, defined)
+
+    monkeypatch.setattr(macro_growth.Expansions, "__init__", counting)
+    own = {f"src/{n}.cpp": f'#include "a.hpp"\n#define N{n} {n}\nint a = MAX(1, N{n});\n' for n in range(30)}
+    declined = declined_by_cppcheck(tmp_path, {"include/a.hpp": text, **own})
+    assert (len(declined), len(made)) == (30 if tables > 1 else 0, tables)
 
 
 def test_macros_in_two_files_together(tmp_path: Path) -> None:

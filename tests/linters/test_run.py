@@ -11,10 +11,12 @@ from pathlib import Path
 import pytest
 from linter_samples import FakeLinter, MemoryStore, everything, workspace
 
+from haros_ci.linters import cppcheck
 from haros_ci.linters.execute import Task, execute
 from haros_ci.linters.linter import Batch, Finding, LintOptions, Output, Program, Unit, When
 from haros_ci.linters.process import Processes
 from haros_ci.linters.run import lint
+from haros_ci.linters.work import asked_for
 from haros_ci.model.location import Location
 from haros_ci.results.result import Result, Run
 from haros_ci.results.rule import Level
@@ -139,6 +141,32 @@ def test_nothing_is_missing_where_a_copy_of_another_project_is_given_up(tmp_path
     made = replace(made, files=tuple(replace(f, third_party="3rd" if "3rd" in f.path else "") for f in made.files))
     (done,) = lint(made, [FakeLinter()], LintOptions(), MemoryStore(), everything)
     assert [note.path for note in done.notifications] == ["a.py"]
+
+
+@pytest.mark.parametrize(
+    ("copies", "expected"),
+    [
+        ((), {"own.cpp", "3rd/b.cpp"}),
+        (("3rd/",), {"own.cpp"}),
+        (("3rd/b.cpp",), {"own.cpp", "3rd/b.cpp"}),
+        (("own",), {"3rd/b.cpp"}),
+    ],
+)
+def test_a_source_of_a_copy_is_asked_about_for_headers_that_are_none(
+    tmp_path: Path, copies: tuple[str, ...], expected: set[str]
+) -> None:
+    files = {
+        "own.h": "int a;\n",
+        "own.cpp": '#include "own.h"\n',
+        "3rd/b.h": "int b;\n",
+        "3rd/b.cpp": '#include "b.h"\n',
+    }
+    made = workspace(tmp_path, files)
+    made = replace(
+        made, files=tuple(replace(f, third_party="3rd" if f.path.startswith(copies) else "") for f in made.files)
+    )
+    asked = asked_for(cppcheck.plan(made, LintOptions(), MemoryStore()), made)
+    assert {unit.file.path for unit in asked} == expected
 
 
 def test_a_file_given_up_is_a_notification(tmp_path: Path) -> None:
