@@ -18,6 +18,7 @@ from haros_ci.api.packages import (
     install_line,
     install_place,
     installs_nothing,
+    is_undeclared_value,
     lacks_interface,
     landings,
     left_out_on_purpose,
@@ -147,7 +148,8 @@ def _named(project: Project) -> Iterator[tuple[Location, str, str]]:
     for system in project.systems:
         for use in system.facts(FileUse):
             key = (use.location, use.inner)
-            if use.package and use.inner not in ("", ".") and use.is_found and key not in seen:
+            is_known = bool(use.package) and use.inner not in ("", ".") and bool(use.is_found)
+            if is_known and key not in seen and not is_undeclared_value(system, use):
                 seen.add(key)
                 yield use.location, use.package, use.inner
     for package in project.packages:

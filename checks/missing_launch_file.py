@@ -8,7 +8,14 @@ from collections.abc import Collection, Iterator
 
 from haros_ci.api import Check, Finding, Level, System, regex
 from haros_ci.api.launch import FileUse, ParameterFileUse, included_by, is_end_of_longer, meant
-from haros_ci.api.packages import entries_of, is_ignored, is_unread_argument, unread_parameter, writer_of
+from haros_ci.api.packages import (
+    entries_of,
+    is_ignored,
+    is_undeclared_value,
+    is_unread_argument,
+    unread_parameter,
+    writer_of,
+)
 
 #: Files that nodes read; of others they may be the ones who write them.
 _READ = regex(r"\.(ya?ml|rviz|urdf|xacro|sdf|srdf|world|launch|launch\.\w+|py|lua|perspective|stl|dae|vcg)$", re.I)
@@ -84,6 +91,8 @@ def _made(system: System, use: FileUse) -> str:
     if use.ros == 1 and use.kind in ("value", "default"):
         if name := unread_parameter(system, use.location.path, use.name):
             return f"; no code of the workspace has the name of the parameter {name!r} that alone is given it: remove the argument and the parameter"
+    if is_undeclared_value(system, use):
+        return f"; no node that is given it declares the parameter {use.name!r}: remove it"
     if use.ros == 2 and use.kind == "default" and is_unread_argument(system, use.location.path, use.name):
         return f"; nothing here reads the argument {use.name!r}: remove it, or correct the path where a launch file of elsewhere reads it"
     if _is_chosen(system, use):

@@ -141,7 +141,7 @@ from haros_ci.checking.uninstalled import (
     uninstalled,
 )
 from haros_ci.checking.unreached import unreached
-from haros_ci.checking.unread_values import is_unread_argument, unread_parameter
+from haros_ci.checking.unread_values import is_undeclared_value, is_unread_argument, unread_parameter
 from haros_ci.checking.using import Using
 from haros_ci.checking.whole import repositories_named
 from haros_ci.checking.worlds import dependency_tag, serves_both
@@ -264,6 +264,7 @@ __all__ = [
     "is_given_to_another",
     "is_ignored",
     "is_unfilled",
+    "is_undeclared_value",
     "is_unread_argument",
     "lacks_interface",
     "is_imported_beside",

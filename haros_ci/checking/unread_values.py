@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Arguments of launch files that nobody reads: of ROS 1 those that are given on to parameters of nodes alone, of which no code has the name."""
+"""Arguments and values of launch files that nobody reads: of ROS 1 arguments that are given on to parameters of nodes alone, of which no code has the name."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from weakref import WeakKeyDictionary
 
 from haros_ci.checking.system import System
 from haros_ci.checking.whole import Whole
-from haros_ci.model.launch_facts import ArgumentDeclaration
+from haros_ci.model.launch_facts import ArgumentDeclaration, FileUse
 from haros_ci.regex import regex
 
 #: Files of code that are looked at; where there are more, nothing is known.
@@ -73,6 +73,14 @@ def is_unread_argument(system: System, path: str, name: str) -> bool:
     return not any(
         _times(other_text, name) or _BY_NAME in other_text for other_text in map(system.workspace.text, named)
     )
+
+
+def is_undeclared_value(system: System, use: FileUse) -> bool:
+    """Whether the file is named only by the value of a parameter that no node of ROS 2 which is given it declares: nothing reads it."""
+    if use.kind != "value" or use.ros != 2 or not use.name:
+        return False
+    given = [parameter for parameter in system.given if parameter.key == use.name and parameter.at == use.location]
+    return bool(given) and all(parameter.node.names.has(parameter.key) is False for parameter in given)
 
 
 def _times(text: str, name: str) -> int:

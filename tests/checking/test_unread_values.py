@@ -79,6 +79,7 @@ from ament_index_python.packages import get_package_share_directory
 from launch import LaunchDescription
 from launch.actions import DeclareLaunchArgument, ExecuteProcess, IncludeLaunchDescription, OpaqueFunction
 from launch.substitutions import LaunchConfiguration
+from launch_ros.actions import Node
 
 shared = get_package_share_directory('demo')
 
@@ -131,3 +132,51 @@ def test_ros_2(parts: tuple[str, ...], late: str, other: str, expected: Level, t
     found = [one for one in said(check, Example("", True, files), tmp_path) if "arm.urdf" in one.message]
     assert [one.level for one in found] == [expected]
     assert (UNREAD in found[0].message) == (expected is Level.NOTE)
+
+
+DRIVE = "import rclpy\nfrom rclpy.node import Node\n\n\nclass Drive(Node):\n    def __init__(self):\n        super().__init__('drive')\n{}\n\n\ndef main():\n    rclpy.init()\n    rclpy.spin(Drive())\n"
+STARTED = """    Node(package='demo', executable='drive', name='drive', parameters=[{{'{key}': os.path.join(shared, '{path}')}}]),
+"""
+SETUP = """from setuptools import setup
+setup(name='demo', version='0.0.1', packages=['demo'], data_files=[('share/demo', ['package.xml']), ('share/demo/launch', ['launch/a.launch.py'])],
+      entry_points={'console_scripts': ['drive = demo.drive:main']})
+"""
+DECLARES = "        self.declare_parameter('model', '')"
+
+
+@pytest.mark.parametrize(
+    ("body", "key", "is_read"),
+    [
+        ("", "demo", False),
+        ("", "model", False),
+        ("        print('model')", "model", False),
+        (DECLARES, "models", False),
+        (DECLARES, "model", True),
+        ("        self.declare_parameter(str(time.time()), '')", "model", True),
+        ("        self.declare_parameters('', [('model', '')])", "model", True),
+        ("        # takes any", "model", True),
+    ],
+)
+@pytest.mark.parametrize("path", ["demo/drive.py", "config/gone.yaml"])
+def test_a_file_that_an_undeclared_parameter_alone_names(
+    body: str, key: str, is_read: bool, path: str, tmp_path: Path
+) -> None:
+    is_there = path == "demo/drive.py"
+    files = {
+        "package.xml": MANIFEST_2.replace("ament_cmake", "ament_python"),
+        "setup.py": SETUP,
+        "demo/__init__.py": "",
+        "demo/drive.py": DRIVE.format(body).replace(
+            "'drive')", "'drive', allow_undeclared_parameters=True)" if "any" in body else "'drive')"
+        ),
+        "launch/a.launch.py": LAUNCH.format(parts=STARTED.format(key=key, path=path), late="'a'"),
+    }
+    rule = "directory-not-installed" if is_there else "missing-launch-file"
+    check = next(check for check in checks() if check.id == rule)
+    found = [one for one in said(check, Example("", True, files), tmp_path) if path.partition("/")[0] in one.message]
+    if is_there:
+        assert bool(found) == is_read
+    else:
+        assert [(one.level, "declares the parameter" in one.message) for one in found] == [
+            (Level.WARNING, False) if is_read else (Level.NOTE, True)
+        ]
