@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from haros_ci.model.element import Element
+from haros_ci.model.xml_faults import hyphens
 
 MAX_DEPTH = 100
 MAX_ELEMENTS = 100_000
@@ -56,7 +57,8 @@ def parse_xml(data: bytes) -> Element:
     try:
         parser.Parse(data, True)
     except expat.ExpatError as err:
-        raise XmlError(f"not well-formed XML: {expat.ErrorString(err.code)}", err.lineno) from err
+        what = hyphens(data, parser.ErrorByteIndex) or expat.ErrorString(err.code)
+        raise XmlError(f"not well-formed XML: {what}", err.lineno) from err
     except (LookupError, ValueError) as err:
         if isinstance(err, XmlError):
             raise

@@ -159,6 +159,17 @@ BOMB = """<?xml version="1.0"?>
         (b'<?xml version="1.0" encoding="no-such"?><package/>', 1, "unknown"),
         (b'<?xml version="1.0" encoding="rot13"?><package/>', 1, "unknown"),
         (b"<package><name>\xff</name></package>", 1, "invalid token"),
+        (
+            "<package>\n<!-- old:\n<!-- arm -->\n-->\n</package>",
+            3,
+            "a comment inside of the comment that begins in line 2",
+        ),
+        ("<package>\n<!-- a -->\n<!-- a -- b -->\n</package>", 3, "'--' inside of the comment that begins in line 3"),
+        ("<package>\n<!-- a --->\n</package>", 2, "'--' inside of the comment that begins in line 2"),
+        ("<package>\n<!-- a --\n</package>", 2, "'--' inside of the comment that begins in line 2"),
+        ("<package>\n<!-- a -->\n<name>a -- b & c</name>\n</package>", 3, "invalid token"),
+        ("<package>\n<!-- a -->\n<name --='1'/>\n</package>", 3, "invalid token"),
+        ("<package>\n<!-- a", 2, "unclosed token"),
     ],
 )
 def test_faults(xml: str | bytes, line: int, words: str) -> None:

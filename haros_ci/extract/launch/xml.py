@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from haros_ci.model.launch import LaunchElement, LaunchFile
+from haros_ci.model.xml_faults import hyphens
 from haros_ci.records import dataclass, field
 
 MAX_DEPTH = 100
@@ -120,7 +121,8 @@ def read_launch(text: str) -> LaunchFile:
         parser.Parse(data, True)
     except expat.ExpatError as err:
         line, _ = _Places(data).at(max(parser.ErrorByteIndex, 0))
-        return LaunchFile(None, ((line, _fault(expat.ErrorString(err.code), opened[1:])),))
+        what = hyphens(data, parser.ErrorByteIndex) or expat.ErrorString(err.code)
+        return LaunchFile(None, ((line, _fault(what, opened[1:])),))
     except _Refused as err:
         return LaunchFile(None, ((places.at(parser.CurrentByteIndex)[0], str(err)),))
     return LaunchFile(top.children[0])

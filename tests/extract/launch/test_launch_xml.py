@@ -59,6 +59,11 @@ BAD = "the launch file is not well-formed XML: {}; correct it"
         ("", 1, BAD.format("no element found")),
         ("<launch>\n<node>\n</launch>", 3, BAD.format("mismatched tag, while <node> of line 2 is open")),
         ("<launch>\n<a><b/></a>\n<c>\n", 4, BAD.format("no element found, while <c> of line 3 is open")),
+        (
+            "<launch>\n<!-- <a/>\n<!-- b -->\n-->\n</launch>",
+            3,
+            BAD.format("a comment inside of the comment that begins in line 2"),
+        ),
         ("<launch>\n&bomb;</launch>", 2, BAD.format("undefined entity")),
         (
             "<launch>\n<a b='1 & 2'/></launch>",
