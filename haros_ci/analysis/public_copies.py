@@ -90,10 +90,10 @@ _USUAL = (*_UNRELEASED, "0.0.1", "0.1.0", "1.0.0")
 _TOP = ("", "src")
 #: How often the people of packages that are no copies are added to the team; beyond, nothing is a copy.
 _MOST_ROUNDS = 20
-#: A downloaded archive: the name of the repository and that of a branch.
+#: A downloaded archive: the name of the repository and that of a branch or commit.
 _ARCHIVE = regex(
     r".+-(?:master|main|devel|develop|ros[12]|[a-z]+-devel|groovy|hydro|indigo|jade|kinetic|lunar|melodic|noetic|dashing|eloquent|foxy"
-    r"|galactic|humble|iron|jazzy|kilted|rolling)"
+    r"|galactic|humble|iron|jazzy|kilted|rolling|(?=[0-9a-f]{0,39}[a-f])(?=[0-9a-f]{0,39}\d)[0-9a-f]{7,40})"
 )
 #: First words that names of packages have by chance.
 _COMMON = frozenset(

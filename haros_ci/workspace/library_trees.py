@@ -49,8 +49,11 @@ for _tree in _TREES:
 #: The drivers of a family of microcontrollers, as its maker gives them out: ``stm32f10x_lib/inc/stm32f10x_gpio.h`` and the source beside.
 _DRIVER = regex(r"(?:.{1,4000}/)?((stm32[a-z]\w{1,5}?)[^/]{0,40})/(?:inc|Inc|include)/\2_(?:hal_|ll_)?gpio\.h")
 #: ``solver-3.2.1``, ``libcam-x86_64-1.3``; a version of one number is anybody's.
-#: So is what is downloaded of a branch, as GitHub and GitLab call it: ``solver-master``, ``libcam-main``.
-_RELEASE = regex(r"([A-Za-z][\w+-]{0,80}?)(?:[-_]v?\d{1,4}(?:\.\d{1,6}){1,3}|-(?:master|main|develop|trunk))")
+#: So is what is downloaded of a branch or commit, as GitHub, GitLab and Bitbucket call it: ``solver-master``, ``labs-solver-70c2caecb930``.
+_RELEASE = regex(
+    r"([A-Za-z][\w+-]{0,80}?)(?:[-_]v?\d{1,4}(?:\.\d{1,6}){1,3}"
+    r"|-(?:master|main|develop|trunk|(?=[0-9a-f]{0,39}[a-f])(?=[0-9a-f]{0,39}\d)[0-9a-f]{7,40}))"
+)
 #: What a release of a project has at its root, besides a licence.
 _OF_RELEASE = regex(
     r"(?:configure(?:\.ac|\.in)?|authors|install|news|changes|changelog|history|release[-_]?notes|copyright)(?:\.(?:txt|md|rst))?",

@@ -36,6 +36,7 @@ FIRES = [
     ({**OWN, "src/urg/urg_node": LASER, "src/urg/more": ("urg_more", (GRETE,), "1.2.0")}, {"src/urg"}),
     ({**OWN, "src/urg-humble/urg_of_ours": ("urg_of_ours", (GRETE,), "1.0.0")}, {"src/urg-humble"}),
     ({**OWN, "src/link-melodic-devel/link_more": ("link_more", (GRETE,), "0.0.0")}, {"src/link-melodic-devel"}),
+    ({**OWN, "src/labs-arm-70c2caecb930/arm_more": ("arm_more", (GRETE,), "1.0.0")}, {"src/labs-arm-70c2caecb930"}),
     ({**OWN, "src/arm-master/arm_more": ("arm_more", (GRETE,), "1.0.0")}, {"src/arm-master"}),
     ({"src/mine": ("mine_of_ours", (TODO,), "0.0.0"), "src/urg_node": LASER}, {"src/urg_node"}),
     ({**OWN, "src/a": LASER, "src/b": ("amcl", (GRETE, TODO), "1.0.0")}, {"src/a", "src/b"}),
