@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from difflib import get_close_matches
 from functools import cached_property
 
-from haros_ci.api import Check, Finding, Level, Location, System, listed, regex, spelled_out
+from haros_ci.api import Check, Finding, Level, Location, System, listed, nearest, regex, spelled_out
 from haros_ci.api.launch import (
     ArgumentDeclaration,
     IncludeUse,
@@ -80,7 +80,7 @@ def _passed_for_nothing(system: System) -> Iterator[Finding]:
             first, *others = system.whole.passed_for_nothing.get((use.path or "", passed.name), (passed.location,))
             if passed.location != first:
                 continue
-            similar = tuple(get_close_matches(passed.name, free, 1, 0.7))
+            similar = _meant(passed.name, free)
             key = (passed.location.path, passed.name)
             targets = system.whole.passed_with_all.get(key, ())
             if targets:
@@ -134,7 +134,7 @@ def _passed_to_ros1(use: IncludeUse, file: str, unknown: list[PassedArgument], f
     first, *others = sorted(unknown, key=lambda passed: passed.location.sort_key)
     names = [passed.name for passed in (first, *others)]
     what = f"passes {spelled_out([repr(name) for name in names])}"
-    similar = tuple(get_close_matches(first.name, free, 1, 0.7)) if not others else ()
+    similar = _meant(first.name, free) if not others else ()
     yield Finding(
         at=first.location,
         message=f"{what} to {file}, which does not declare {'them' if others else 'it'}: launch stops here{meant(similar)}",
@@ -145,6 +145,11 @@ def _passed_to_ros1(use: IncludeUse, file: str, unknown: list[PassedArgument], f
         level=Level.ERROR,
         presence=use.presence,
     )
+
+
+def _meant(name: str, free: list[str]) -> tuple[str, ...]:
+    found = nearest(name, free, 0.7)
+    return () if found is None else (found,)
 
 
 def _passed_outside(system: System) -> Iterator[Finding]:
@@ -162,7 +167,7 @@ def _passed_outside(system: System) -> Iterator[Finding]:
             )
             continue
         for passed in unknown:
-            similar = tuple(get_close_matches(passed.name, free, 1, 0.7))
+            similar = _meant(passed.name, free)
             yield Finding(
                 at=passed.location,
                 message=f"passes {passed.name!r} to {file}, which does not declare it: it has no effect{meant(similar)}",
