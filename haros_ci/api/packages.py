@@ -27,6 +27,7 @@ from haros_ci.checking.editing import (
     set_text,
 )
 from haros_ci.checking.entries import NO_ENTRIES, entries_of, paths_by_name
+from haros_ci.checking.gone_packages import said_gone
 from haros_ci.checking.imports import imported, imports_of, is_called_after
 from haros_ci.checking.installing import (
     install_commands,
@@ -330,6 +331,7 @@ __all__ = [
     "renamed_module",
     "repositories_named",
     "rospy_programs",
+    "said_gone",
     "said_misplaced",
     "said_never",
     "serves_both",
