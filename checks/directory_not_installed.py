@@ -12,6 +12,7 @@ from haros_ci.api.packages import (
     DevelSpaces,
     Leftovers,
     Programs,
+    describes_installed,
     install_commands,
     install_directory,
     install_line,
@@ -62,7 +63,8 @@ def check(project: Project) -> Iterator[Finding]:
         is_alone = len(things) == 1 and owner.ros == 2
         if not installs_nothing(owner):
             for thing, need in things.items():
-                yield _finding(owner, thing, need, (name, thing) not in needed or devel.has(owner))
+                is_idle = ((name, thing) not in needed or devel.has(owner)) and not describes_installed(owner, thing)
+                yield _finding(owner, thing, need, is_idle)
         elif all(other_uninstalled.level is Level.NOTE for other_uninstalled in uninstalled(owner, programs)):
             # else target-not-installed tells that the package has no install() at all
             yield (

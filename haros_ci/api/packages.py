@@ -134,6 +134,7 @@ from haros_ci.checking.undeclared import (
 from haros_ci.checking.uninstalled import (
     Programs,
     Uninstalled,
+    describes_installed,
     installs_nothing,
     is_program,
     lost_plugins,
@@ -232,6 +233,7 @@ __all__ = [
     "dependency_tag",
     "dependency_tags",
     "described_classes",
+    "describes_installed",
     "distributions_of",
     "drop_element",
     "drop_lines",

@@ -101,3 +101,45 @@ def test_what_lacks(build: dict[str, str], named: tuple[str, ...], begin: str, e
 )
 def test_what_is_installed_is_quiet(build: dict[str, str], tmp_path: Path) -> None:
     assert messages(build, tmp_path, "a.rviz") == []
+
+
+CATKIN = (
+    '<package format="2"><name>demo</name><version>1.0.0</version><description>d</description><maintainer email="a@b.cd">m</maintainer>'
+    "<license>MIT</license><buildtool_depend>catkin</buildtool_depend><depend>nodelet</depend>"
+    '<export><nodelet plugin="${prefix}/nodelets.xml"/></export></package>\n'
+)
+BUILT = "project(demo)\nfind_package(catkin REQUIRED nodelet)\ncatkin_package()\nadd_library(demo SHARED demo.cpp)\n"
+LIBRARY = "install(TARGETS demo LIBRARY DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION})\n"
+FILE = "install(FILES {} DESTINATION ${{CATKIN_PACKAGE_SHARE_DESTINATION}})\n"
+NODELETS = (
+    '<library path="lib/libdemo"><class name="demo/N" type="demo::N" base_class_type="nodelet::Nodelet"/></library>\n'
+)
+#: A page that uses the workspace from its devel space.
+PAGE = "Build it: `catkin_make`, then `source devel/setup.bash`\n"
+
+
+@pytest.mark.parametrize(
+    ("installs", "files", "level"),
+    [
+        (LIBRARY, {}, "warning"),
+        (LIBRARY, {"README.md": PAGE}, "warning"),
+        (LIBRARY + FILE.format("nodelet.xml"), {"README.md": PAGE}, "note"),  # missing-install-source speaks of it
+        (FILE.format("package.xml"), {"README.md": PAGE}, None),  # target-not-installed does
+        (LIBRARY + FILE.format("nodelets.xml"), {}, None),
+        (LIBRARY + FILE.format("nodelets.xml"), {"README.md": PAGE}, None),
+    ],
+)
+def test_a_description_of_a_library_that_is_installed(
+    installs: str, files: dict[str, str], level: str | None, tmp_path: Path
+) -> None:
+    every = {
+        "package.xml": CATKIN,
+        "CMakeLists.txt": BUILT + installs,
+        "demo.cpp": "",
+        "nodelets.xml": NODELETS,
+        **files,
+    }
+    check = next(check for check in checks() if check.id == "directory-not-installed")
+    assert [result.level.value for result in said(check, Example("", True, every), tmp_path)] == (
+        [level] if level else []
+    )
