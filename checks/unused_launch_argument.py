@@ -16,7 +16,7 @@ from haros_ci.api.launch import (
     included_by,
     is_nested,
     meant,
-    outside_arguments,
+    outside_file,
     owner,
 )
 
@@ -155,12 +155,14 @@ def _meant(name: str, free: list[str]) -> tuple[str, ...]:
 def _passed_outside(system: System) -> Iterator[Finding]:
     """Arguments that are passed to a launch file outside of the workspace which does not know them."""
     for use in system.facts(IncludeUse):
-        known = outside_arguments(use.text) if use.path is None else None
+        known = outside_file(use.text) if use.path is None else None
         if known is None:
             continue
-        file, names = known
-        free = sorted(names - {passed.name for passed in use.passed})
-        unknown = [passed for passed in use.passed if passed.name not in names]
+        file = known.name
+        free = sorted(known.arguments - {passed.name for passed in use.passed})
+        unknown = [passed for passed in use.passed if passed.name not in known.arguments]
+        if known.may_differ:  # then only what is a slip of a name that is known
+            unknown = [passed for passed in unknown if _meant(passed.name, free)]
         if use.ros == 1:  # what pass_all_args passes stands at the include itself
             yield from _passed_to_ros1(
                 use, file, [passed for passed in unknown if passed.location != use.location], free

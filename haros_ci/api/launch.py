@@ -8,7 +8,7 @@ from haros_ci.checking.launch_edits import renamed_keyword
 from haros_ci.checking.launching import included_by, is_end_of_longer, is_nested, meant, owner, said_by
 from haros_ci.checking.old_distributions import is_called_old, is_tried, told_of
 from haros_ci.checking.optional import is_optional
-from haros_ci.checking.outside_arguments import outside_arguments
+from haros_ci.checking.outside_arguments import outside_file
 from haros_ci.checking.yaml_texts import yaml_fault
 from haros_ci.model.launch_facts import (
     ArgumentDeclaration,
@@ -55,7 +55,7 @@ __all__ = [
     "is_tried",
     "may_make_program",
     "meant",
-    "outside_arguments",
+    "outside_file",
     "owner",
     "renamed_keyword",
     "said_by",

@@ -9,6 +9,7 @@ SteveMacenski/slam_toolbox (e38048fbf1).
 
 from __future__ import annotations
 
+from haros_ci.records import dataclass
 from haros_ci.regex import regex
 
 _FILES = {
@@ -111,15 +112,30 @@ _FILES = {
     "slam_toolbox/launch/online_async_launch.py": """
         autostart params_file slam_params_file use_lifecycle_manager use_sim_time""",
 }
+_DRIVERS = frozenset(("mavros", "realsense2_camera", "velodyne_pointcloud"))
+#: What nav2_bringup itself passes to files of its own that do not read it, and those who copied it do, too.
+_PASSED_ON = frozenset(("use_lifecycle_mgr", "map_subscribe_transient_local", "default_bt_xml_filename"))
 _TEXT = regex(r"\$\(find(?:-pkg-share)?[ \t]+([\w-]+)\)/([\w./-]+)")
 
 
-def outside_arguments(text: str) -> tuple[str, frozenset[str]] | None:
-    """The package and file, and the arguments, of the launch file that an include names with *text*; None if they are not known."""
+@dataclass(frozen=True, slots=True)
+class OutsideFile:
+    """A launch file of a released package: how it is called, and all arguments that it may have.
+
+    *may_differ* says of a driver that many use in a version of their own, which may have more.
+    """
+
+    name: str
+    arguments: frozenset[str]
+    may_differ: bool
+
+
+def outside_file(text: str) -> OutsideFile | None:
+    """The launch file that an include names with *text*; None if its arguments are not known."""
     match = _TEXT.fullmatch(text)
     names = _FILES.get(f"{match[1]}/{match[2]}") if match is not None else None
-    return (
-        None
-        if match is None or names is None
-        else (f"{match[2].rpartition('/')[2]} of {match[1]}", frozenset(names.split()))
-    )
+    if match is None or names is None:
+        return None
+    name = f"{match[2].rpartition('/')[2]} of {match[1]}"
+    arguments = frozenset(names.split()) | (_PASSED_ON if match[1] == "nav2_bringup" else frozenset())
+    return OutsideFile(name, arguments, match[1] in _DRIVERS)

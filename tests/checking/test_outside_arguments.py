@@ -8,11 +8,13 @@ from pathlib import Path
 import pytest
 
 from haros_ci.api.testing import said
-from haros_ci.checking.outside_arguments import outside_arguments
+from haros_ci.checking.outside_arguments import outside_file
 from haros_ci.checking.page import Example
 from haros_ci.registry import checks
 
 WORLD = "$(find gazebo_ros)/launch/empty_world.launch"
+CAMERA = "$(find realsense2_camera)/launch/rs_camera.launch"
+NAVIGATION = "$(find-pkg-share nav2_bringup)/launch/navigation_launch.py"
 SIM = "$(find-pkg-share ros_gz_sim)/launch/gz_sim.launch.py"
 
 
@@ -57,6 +59,7 @@ ALL = f"""<launch><arg name="own" default="1"/><include file="{WORLD}" pass_all_
         ("a.launch", include(WORLD, "headlss"), 1, "error", "launch stops here; did you mean 'headless'?"),
         ("a.launch", include(WORLD.replace("empty", "mud"), "paused"), 1, "error", "launch stops here"),
         ("a.launch", include(WORLD, "worldname", "gui"), 1, "error", "did you mean 'world_name'?"),
+        ("a.launch", include(CAMERA, "depth_fsp"), 1, "error", "did you mean 'depth_fps'?"),
         ("a.launch.xml", include(SIM, "gz_arg"), 2, "warning", "it has no effect; did you mean 'gz_args'?"),
         ("a.launch.py", python("gz_arg"), 2, "warning", "it has no effect; did you mean 'gz_args'?"),
         ("a.launch.xml", include(SIM, "use_sim_time"), 2, "note", "it has no effect"),
@@ -75,6 +78,8 @@ def test_fires(name: str, text: str, ros: int, level: str, words: str, tmp_path:
         ("a.launch", include(WORLD.replace("gazebo_ros", "acme_gazebo"), "headlss"), 1),
         ("a.launch", include(WORLD.replace("empty", "acme"), "headlss"), 1),
         ("a.launch", ALL, 1),
+        ("a.launch", include(CAMERA, "external_trigger", "depth_fps"), 1),
+        ("a.launch.xml", include(NAVIGATION, "use_lifecycle_mgr", "params_file"), 2),
         ("a.launch.xml", include(SIM, "gz_args", "on_exit_shutdown"), 2),
         ("a.launch.xml", include(SIM.replace("ros_gz_sim", "acme_sim"), "gz_arg"), 2),
         ("a.launch.py", python("gz_args", "ign_version"), 2),
@@ -97,4 +102,4 @@ def test_quiet(name: str, text: str, ros: int, tmp_path: Path) -> None:
     ],
 )
 def test_what_is_not_known(text: str) -> None:
-    assert outside_arguments(text) is None
+    assert outside_file(text) is None
