@@ -6,6 +6,7 @@ Of ``<include if="$(arg db)">`` below an include that does not pass ``db`` nothi
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import replace
 
@@ -96,8 +97,14 @@ def _kept(workspace: Workspace, fact: LaunchFact, chain: tuple[Location, ...]) -
         return replace(fact, included=included, is_top=False)
     if isinstance(fact, (ArgumentRead, IncludeUse)):
         return replace(fact, included=included)
-    if isinstance(fact, PackageUse) and fact.package in text:
+    if isinstance(fact, PackageUse) and _is_written(fact.package, "pkg", text):
         return replace(fact, included=included)
-    if isinstance(fact, ProgramUse) and fact.package in text and fact.program in text:
-        return replace(fact, included=included)
+    if isinstance(fact, ProgramUse) and _is_written(fact.package, "pkg", text):
+        return replace(fact, included=included) if _is_written(fact.program, "type", text) else None
     return None
+
+
+def _is_written(name: str, attribute: str, text: str) -> bool:
+    """Whether *name* is the value of an *attribute* in *text*, or the package of a ``$(find)`` there, as no argument is."""
+    word = re.escape(name)
+    return re.search(rf"""\b{attribute}\s*=\s*["']{word}["']|\$\(find\s+{word}\s*\)""", text) is not None
