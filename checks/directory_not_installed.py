@@ -7,6 +7,7 @@ import re
 from collections.abc import Iterator, Mapping
 
 from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage, dataclass, field, listed, regex
+from haros_ci.api.launch import share_uses
 from haros_ci.api.packages import (
     CMakeCommand,
     DevelSpaces,
@@ -22,7 +23,6 @@ from haros_ci.api.packages import (
     landings,
     left_out_on_purpose,
     lost_plugins,
-    share_uses,
     uninstalled,
 )
 

@@ -25,7 +25,7 @@ def check(project: Project) -> Iterator[Finding]:
         ]
         if not missing:
             continue
-        told = set(meant_classes(package).values())  # plugin-not-loadable says what to write in the description
+        meant = set(meant_classes(package).values())  # plugin-not-loadable says what to write in the description
         words = {
             word
             for path in project.below(package.path)
@@ -33,7 +33,7 @@ def check(project: Project) -> Iterator[Finding]:
             for word in re.findall(r"\w+", project.text(path))
         }
         for registration in missing:
-            if registration not in told and _last(registration.type) not in words:
+            if registration not in meant and _last(registration.type) not in words:
                 yield _finding(package, registration)
 
 

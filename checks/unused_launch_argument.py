@@ -156,7 +156,7 @@ def _passed_outside(system: System) -> Iterator[Finding]:
     """Arguments that are passed to a launch file outside of the workspace which does not know them."""
     for use in system.facts(IncludeUse):
         known = outside_file(use.text) if use.path is None else None
-        if known is None:
+        if known is None or known.package in system.packages:
             continue
         file = known.name
         free = sorted(known.arguments - {passed.name for passed in use.passed})

@@ -9,6 +9,7 @@ from haros_ci.checking.launching import included_by, is_end_of_longer, is_nested
 from haros_ci.checking.old_distributions import is_called_old, is_tried, told_of
 from haros_ci.checking.optional import is_optional
 from haros_ci.checking.outside_arguments import outside_file
+from haros_ci.checking.share_uses import share_uses
 from haros_ci.checking.yaml_texts import yaml_fault
 from haros_ci.model.launch_facts import (
     ArgumentDeclaration,
@@ -59,6 +60,7 @@ __all__ = [
     "owner",
     "renamed_keyword",
     "said_by",
+    "share_uses",
     "similar_files",
     "similar_names",
     "told_of",

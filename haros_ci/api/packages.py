@@ -116,7 +116,6 @@ from haros_ci.checking.provision import (
 from haros_ci.checking.requirements import distributions_of, left_to_pip, normal, pinned
 from haros_ci.checking.scripts import changes_modes, gives_modes, rospy_programs
 from haros_ci.checking.set_aside import is_copy_by_name
-from haros_ci.checking.share_uses import share_uses
 from haros_ci.checking.test_support import is_for_tests, only_for_tests
 from haros_ci.checking.unbuilt import SUFFIXES, loose
 from haros_ci.checking.undeclared import (
@@ -339,7 +338,6 @@ __all__ = [
     "serves_both",
     "set_attribute",
     "set_text",
-    "share_uses",
     "undeclared_build_tools",
     "uninstalled",
     "unlisted_plugins",

@@ -120,11 +120,12 @@ _TEXT = regex(r"\$\(find(?:-pkg-share)?[ \t]+([\w-]+)\)/([\w./-]+)")
 
 @dataclass(frozen=True, slots=True)
 class OutsideFile:
-    """A launch file of a released package: how it is called, and all arguments that it may have.
+    """A launch file of a released *package*: how it is called, and all arguments that it may have.
 
     *may_differ* says of a driver that many use in a version of their own, which may have more.
     """
 
+    package: str
     name: str
     arguments: frozenset[str]
     may_differ: bool
@@ -138,4 +139,4 @@ def outside_file(text: str) -> OutsideFile | None:
         return None
     name = f"{match[2].rpartition('/')[2]} of {match[1]}"
     arguments = frozenset(names.split()) | (_PASSED_ON if match[1] == "nav2_bringup" else frozenset())
-    return OutsideFile(name, arguments, match[1] in _DRIVERS)
+    return OutsideFile(match[1], name, arguments, match[1] in _DRIVERS)

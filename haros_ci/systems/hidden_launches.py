@@ -36,19 +36,19 @@ def hidden_facts(
     workspace: Workspace,
     load: Load,
     environment: Mapping[str, str],
-    said: Mapping[tuple[str, ...], Iterable[LaunchFact]],
+    facts: Mapping[tuple[str, ...], Iterable[LaunchFact]],
     memo: Memo | None = None,
 ) -> dict[tuple[str, ...], tuple[LaunchFact, ...]]:
-    """By the launch files of a configuration what the files say that they include, at any depth, and of which no configuration has *said* anything.
+    """By the launch files of a configuration what the files say that they include, at any depth, and of which no configuration has *facts*.
 
     Each is evaluated as if it were started itself, and counts for the first configuration that leads there. Kept is what does not depend on the
     values that an include passes: names of arguments, and packages and programs that stand in the text.
     """
-    seen = {fact.location.path for facts in said.values() for fact in facts}
+    seen = {fact.location.path for every in facts.values() for fact in every}
     found: dict[tuple[str, ...], tuple[LaunchFact, ...]] = {}
     count = 0
     included = _Includes(workspace, load, environment)
-    for entries in said:
+    for entries in facts:
         for path, chain in _below(included, entries):
             if path in seen or count >= MAX_HIDDEN:
                 continue

@@ -259,8 +259,10 @@ def linked(
     present.remember(types, (*fresh, *fresh_too))
     results, other_results = iter(done[: len(jobs)]), iter(done[len(jobs) :])
     completion = Completion(workspace, builds, types)
-    said = {item.launch: opened.facts for item, opened in launched if alternatives and requested is None}
-    hidden = hidden_facts(workspace, load, defaults.over(environment), said, ros2.memo if ros2 is not None else None)
+    by_launch = {item.launch: opened.facts for item, opened in launched if alternatives and requested is None}
+    hidden = hidden_facts(
+        workspace, load, defaults.over(environment), by_launch, ros2.memo if ros2 is not None else None
+    )
     for item, opened in launched:
         followed = list(islice(results, len(opened.jobs)))
         problems.update(dict.fromkeys(problem for _, report in followed for problem in report))
