@@ -109,7 +109,9 @@ def _circular(read: ArgumentRead, others: tuple[Location, ...], level: Level) ->
 
 def _missing(system: System) -> Iterator[Finding]:
     for use in system.facts(IncludeUse):
-        unknown = [passed.name for passed in use.passed if use.is_whole and passed.name not in use.declared]
+        unknown = [
+            passed.name for passed in use.passed if use.is_whole and passed.name not in {*use.declared, *use.read}
+        ]
         for name in use.missing:
             if any(nearest(other, [name], 0.7) for other in unknown):
                 continue  # a slip in its name, of which unused-launch-argument tells
