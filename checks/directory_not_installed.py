@@ -6,19 +6,19 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping
 
-from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage, dataclass, field, regex
-from haros_ci.api.launch import FileUse
+from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage, dataclass, field, listed, regex
+from haros_ci.api.launch import share_uses
 from haros_ci.api.packages import (
     CMakeCommand,
     DevelSpaces,
     Leftovers,
     Programs,
+    describes_installed,
     install_commands,
     install_directory,
     install_line,
     install_place,
     installs_nothing,
-    is_undeclared_value,
     lacks_interface,
     landings,
     left_out_on_purpose,
@@ -29,12 +29,6 @@ from haros_ci.api.packages import (
 _LAUNCH = regex(r"\.launch(?:\.(?:py|xml|ya?ml))?$|[_-]launch\.(?:py|xml|ya?ml)$|^launch/.*\.xml$")
 _ASIDE = regex(r"(?:^|[/_-])(?:tests?|testing|examples?|demos?|samples?|benchmarks?|mock|old|deprecated)(?:$|[/_.-])")
 _OF_ROS1 = regex(r"<node\b[^<>]*\stype\s*=|\$\(arg\s")
-#: Where a model or a page names a file of a package.
-_COMMENT = regex(r"<!--.*?(?:-->|\Z)", re.S)
-_NAMED = regex(r"(?:package://([\w-]+)/|\$\((?:find|find-pkg-share)\s+([\w-]+)\)/)([\w./+-]+)")
-#: How the manifest of a ROS 1 package names the descriptions of its plug-ins, and rqt's and rosdoc's files.
-_EXPORTED = regex(r"""\bplugin\s*=\s*["']\$\{prefix\}/([\w./+-]+)["']""")
-_MODELS = (".urdf", ".xacro", ".sdf", ".world", ".rviz", ".srdf")
 #: So many places that need something are shown.
 _SHOWN = 5
 _HEADERS = (".h", ".hpp", ".hh", ".hxx", ".ipp", ".tpp")
@@ -46,6 +40,8 @@ class _Need:
 
     places: list[tuple[Location, str]] = field(default_factory=list)
     wrong: str = ""
+    #: The paths that are needed of it, from the package on.
+    paths: dict[str, None] = field(default_factory=dict)
 
 
 def check(project: Project) -> Iterator[Finding]:
@@ -67,7 +63,8 @@ def check(project: Project) -> Iterator[Finding]:
         is_alone = len(things) == 1 and owner.ros == 2
         if not installs_nothing(owner):
             for thing, need in things.items():
-                yield _finding(owner, thing, need, (name, thing) not in needed or devel.has(owner))
+                is_idle = ((name, thing) not in needed or devel.has(owner)) and not describes_installed(owner, thing)
+                yield _finding(owner, thing, need, is_idle)
         elif all(other_uninstalled.level is Level.NOTE for other_uninstalled in uninstalled(owner, programs)):
             # else target-not-installed tells that the package has no install() at all
             yield (
@@ -78,7 +75,7 @@ def check(project: Project) -> Iterator[Finding]:
 def _used(project: Project) -> dict[tuple[str, str], _Need]:
     """What something uses of a package, by package and directory or file, and is not installed to there."""
     needs: dict[tuple[str, str], _Need] = {}
-    for place, name, inner in _named(project):
+    for place, name, inner in share_uses(project):
         package = project.package(name)
         if package is None or not _is_readable(package):
             continue
@@ -90,6 +87,7 @@ def _used(project: Project) -> dict[tuple[str, str], _Need]:
             continue
         need = needs.setdefault((name, inner.partition("/")[0]), _Need())
         need.places.append((place, f"needs {inner}"))
+        need.paths[inner] = None
         need.wrong = need.wrong or next(iter(found), "")
     return needs
 
@@ -140,28 +138,6 @@ def _needed(project: Project, needs: Mapping[tuple[str, str], _Need]) -> set[tup
 def _is_reported(package: ProjectPackage, thing: str, need: _Need, reported: set[str]) -> bool:
     """Whether *thing* describes plug-ins whose library is not installed, either, and the manifest alone needs it."""
     return package.inside(thing) in reported and all(place.path == package.manifest_path for place, _ in need.places)
-
-
-def _named(project: Project) -> Iterator[tuple[Location, str, str]]:
-    """Places that name a file of a package's share directory: the place, the package, the path in there."""
-    seen: set[tuple[Location, str]] = set()
-    for system in project.systems:
-        for use in system.facts(FileUse):
-            key = (use.location, use.inner)
-            is_known = bool(use.package) and use.inner not in ("", ".") and bool(use.is_found)
-            if is_known and key not in seen and not is_undeclared_value(system, use):
-                seen.add(key)
-                yield use.location, use.package, use.inner
-    for package in project.packages:
-        text = project.text(package.manifest_path) if package.ros == 1 else ""
-        plain = _COMMENT.sub(lambda match: re.sub(r"[^\n]", " ", match[0]), text)
-        for match in _EXPORTED.finditer(plain):
-            yield Location(package.manifest_path, plain.count("\n", 0, match.start()) + 1), package.name, match[1]
-    for path in sorted(project.workspace.names):
-        if path.endswith(_MODELS):
-            text = _COMMENT.sub(lambda match: re.sub(r"[^\n]", " ", match[0]), project.text(path))
-            for match in _NAMED.finditer(text):
-                yield Location(path, text.count("\n", 0, match.start()) + 1), match[1] or match[2], match[3]
 
 
 def _is_readable(package: ProjectPackage) -> bool:
@@ -297,19 +273,27 @@ def _nothing(package: ProjectPackage, things: Mapping[str, _Need]) -> Finding:
 def _finding(package: ProjectPackage, thing: str, need: _Need, is_idle: bool) -> Finding:
     is_folder = package.inside(thing) in package.project.directories
     is_old = package.ros == 1
-    what = f"the directory {thing}" if is_folder else f"the file {thing}"
-    fix = None
+    lone = tuple(need.paths) if is_folder and not need.wrong and _is_in_part(package, thing) else ()
+    what = f"the directory {thing}" if is_folder and not lone else f"the file {lone[0] if lone else thing}"
+    if len(lone) > 1:
+        what = f"the files {listed(lone)}"
+    fix, verb = None, "are" if len(lone) > 1 else "is"
     if need.wrong:
-        message = f"{what} of {package.name} is installed to {need.wrong}, but used from share/{package.name}/{thing}; "
+        message = (
+            f"{what} of {package.name} {verb} installed to {need.wrong}, but used from share/{package.name}/{thing}; "
+        )
         message += _right_place(package, thing, need.wrong)
     elif need.places:
         place, more = need.places[0][0], len(need.places) - 1
         also = f" and {more} more place{'s' if more > 1 else ''} need" if more else " needs"
-        message = f"{what} of {package.name} is not installed, but {place.path}:{place.line}{also} it; {_how(package, is_folder)}"
+        them = "them" if len(lone) > 1 else "it"
+        rest = f" with the other files of {thing}" if lone and not package.build.commands else ""
+        how = f"{_how(package, is_folder and not lone, them)}{rest}"
+        message = f"{what} of {package.name} {verb} not installed, but {place.path}:{place.line}{also} {them}; {how}"
     else:
         message = f"{what} of {package.name} is not installed: ros2 launch finds none of its launch files; "
         message += _how(package, is_folder)
-    if not need.wrong and is_folder and package.build.commands:
+    if not need.wrong and is_folder and not lone and package.build.commands:
         fix = install_directory(package, thing)
     return Finding(
         at=install_place(package),
@@ -333,9 +317,16 @@ def _right_place(package: ProjectPackage, thing: str, wrong: str) -> str:
     return f"write DIRECTORY {thing}/ with a slash, or leave {thing} out of the destination"
 
 
-def _how(package: ProjectPackage, is_folder: bool) -> str:
+def _is_in_part(package: ProjectPackage, folder: str) -> bool:
+    """Whether some files of the directory are installed."""
+    return any(landings(package, path) for path in package.project.below(package.inside(folder)))
+
+
+def _how(package: ProjectPackage, is_folder: bool, them: str = "it") -> str:
     """What to write so that it is installed."""
-    return f"add it to install({'DIRECTORY' if is_folder else 'FILES'} ...)" if package.build.commands else "install it"
+    if not package.build.commands:
+        return f"install {them}"
+    return f"add {them} to install({'DIRECTORY' if is_folder else 'FILES'} ...)"
 
 
 CHECK = Check(

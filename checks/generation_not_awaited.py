@@ -20,6 +20,8 @@ _MESSAGES = ("generate_messages", "generate_messages_cpp", "gencpp", "genmsg", "
 _LIKE_GENERATED = regex(r"_(?:generate\w*|gen\w+|messages?(?:_cpp)?|msgs?_cpp|cfg|EXPORTED_TARGETS)$")
 #: The languages that targets of generated code may be for, which make no headers (genlisp, geneus, gennodejs, genpy).
 _OTHER_LANGUAGES = {"eus": "EusLisp", "lisp": "Lisp", "nodejs": "JavaScript", "py": "Python"}
+#: Commands that generate headers.
+_GENERATORS = ("generate_messages", "generate_dynamic_reconfigure_options", "rosidl_generate_interfaces")
 _CONFIGS = ("gencfg", "EXPORTED_TARGETS")
 
 
@@ -98,8 +100,13 @@ def _targets(package: ProjectPackage) -> Iterator[Target]:
     """Those that are compiled, and that no command which is not known here may link or order."""
     for target in package.cmake.targets.values():
         is_code = target.kind in ("executable", "library", "object") and target.sources and not target.component
-        if is_code and not target.is_conditional and not package.cmake.may_change(target.name):
+        if is_code and _is_made_beside(package, target) and not package.cmake.may_change(target.name):
             yield target
+
+
+def _is_made_beside(package: ProjectPackage, target: Target) -> bool:
+    """Whether the generation is certain wherever the target is made: neither is under a condition, or the target alone, as under ``if(QT_FOUND)``."""
+    return not (target.is_conditional and any(command.is_conditional for command in package.commands(*_GENERATORS)))
 
 
 def _dependency(package: ProjectPackage, target: Target) -> Fix | None:

@@ -7,15 +7,17 @@ import re
 from collections.abc import Collection, Iterator
 
 from haros_ci.api import Check, Finding, Level, System, regex
-from haros_ci.api.launch import FileUse, ParameterFileUse, included_by, is_end_of_longer, meant
-from haros_ci.api.packages import (
-    entries_of,
-    is_ignored,
+from haros_ci.api.launch import (
+    FileUse,
+    ParameterFileUse,
+    included_by,
+    is_end_of_longer,
     is_undeclared_value,
     is_unread_argument,
+    meant,
     unread_parameter,
-    writer_of,
 )
+from haros_ci.api.packages import entries_of, is_ignored, writer_of
 
 #: Files that nodes read; of others they may be the ones who write them.
 _READ = regex(r"\.(ya?ml|rviz|urdf|xacro|sdf|srdf|world|launch|launch\.\w+|py|lua|perspective|stl|dae|vcg)$", re.I)

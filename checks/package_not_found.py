@@ -37,11 +37,14 @@ _MACROS_OF_AMENT = {
         ("ament_cmake", "ament_"),
     ),
     "ament_python_install_package": ("ament_cmake_python", "ament_"),
+    # Where others find its macro, it makes nothing of the files without the adapter: https://github.com/ros2/rosidl/issues/885.
     "rosidl_generate_interfaces": ("rosidl_default_generators", "rosidl_"),
     "rclcpp_components_register_node": ("rclcpp_components", "rclcpp_components"),
     "rclcpp_components_register_nodes": ("rclcpp_components", "rclcpp_components"),
     "pluginlib_export_plugin_description_file": ("pluginlib", "pluginlib"),
 }
+#: Build tools that find no others but those of ament.
+_OF_TOOLS = frozenset(("ament_cmake", "ament_cmake_ros", "eigen3_cmake_module", "python_cmake_module"))
 #: Those of catkin itself.
 _OF_CATKIN = frozenset(("catkin_package", "catkin_python_setup", "catkin_install_python"))
 #: What manifests name for the run of code, and whose own CMake finds no generator.
@@ -85,7 +88,8 @@ def _ament(package: ProjectPackage, there: frozenset[str]) -> Iterator[tuple[str
         if is_first:
             called.add(provider)
         if is_first and _is_unknown_macro(package, found, provider, family):
-            message = f"{command.name}() is called without a find_package({provider}) before: CMake stops at an unknown command"
+            why = "" if family == "rosidl_" else " at an unknown command"
+            message = f"{command.name}() is called without a find_package({provider}) before: CMake stops{why}"
             yield (
                 provider,
                 _made(package, command.location, provider, f"{message}; {_remedy(package, provider)}", found),
@@ -125,7 +129,8 @@ def _is_lacking(package: ProjectPackage, found: Iterable[str], name: str) -> boo
 def _is_unknown_macro(package: ProjectPackage, found: Iterable[str], provider: str, family: str) -> bool:
     """Whether none of the packages *found* defines what *provider* does, or may find one that does: those of build tools find others."""
     if package.raw.build_type != "ament_cmake" or any(
-        name.startswith(family) or name.endswith(("_cmake", "_common", "_tools", "_utils")) for name in found
+        name.startswith(family) or (name.endswith(("_cmake", "_common", "_tools", "_utils")) and name not in _OF_TOOLS)
+        for name in found
     ):
         return False
     return all(package.project.package(name) is None for name in found) and _is_lacking(package, found, provider)

@@ -7,7 +7,7 @@ import re
 from collections.abc import Iterator
 
 from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage, regex
-from haros_ci.api.packages import Registration, exported_under, registrations
+from haros_ci.api.packages import Registration, exported_under, meant_classes, registrations
 
 #: The macros of pluginlib: what class_loader's own register may be loaded without a description.
 _MACRO = "PLUGINLIB_"
@@ -25,6 +25,7 @@ def check(project: Project) -> Iterator[Finding]:
         ]
         if not missing:
             continue
+        meant = set(meant_classes(package).values())  # plugin-not-loadable says what to write in the description
         words = {
             word
             for path in project.below(package.path)
@@ -32,7 +33,7 @@ def check(project: Project) -> Iterator[Finding]:
             for word in re.findall(r"\w+", project.text(path))
         }
         for registration in missing:
-            if _last(registration.type) not in words:
+            if registration not in meant and _last(registration.type) not in words:
                 yield _finding(package, registration)
 
 

@@ -16,21 +16,22 @@ from haros_ci.api.packages import (
     Target,
     class_names,
     compiled_into,
+    described_classes,
     exported_under,
     file_name,
     is_asked_for,
-    is_tree_node,
+    is_seen_through,
     is_written,
+    library_of,
     loaders,
     may_be_added,
     may_be_base,
+    meant_classes,
     own_classes,
-    registers_otherwise,
     registrations,
     variant,
 )
 
-_COMPONENT = "rclcpp_components::NodeFactory"
 _ROOTS = ("library", "class_libraries")
 MAX_LEFT_OVER = 50  # descriptions of one package that are looked for in all files
 _TEST = regex(r"(?:^|/)(?:tests?|examples?|templates?)(?:/|$)")
@@ -56,9 +57,7 @@ class _Package:
         for registration in self.registered:
             self.by_type.setdefault(registration.type, []).append(registration)
             self.by_last.setdefault(registration.type.rpartition("::")[2].lower(), []).append(registration)
-        every = self.package.build.plugins
-        offered = (p for p in every if p.base != _COMPONENT and p.location.path in self.exports)
-        self.described += (p for p in offered if not is_tree_node(p.base, self.exports[p.location.path]))
+        self.described += described_classes(self.package, self.exports)
         types = {plugin.type for plugin in self.described}
         self.awaits_description = any(registration.type not in types for registration in self.registered)
 
@@ -86,19 +85,17 @@ def check(project: Project) -> Iterator[Finding]:
 def _described(found: _Package, others: Container[str]) -> Iterator[Finding]:
     """Each class of the descriptions: its library, its macro in it, its base."""
     seen_through: dict[str, bool] = {}
+    meant = meant_classes(found.package)
     for plugin in found.described:
         if "." in plugin.type or not plugin.library or "$" in plugin.library or "@" in plugin.library:
             continue  # Python's, or made by the build
-        library = _library(plugin, found)
+        library = library_of(plugin, found.libraries, found.package.ros)
         if library is None:
             if not _may_be_elsewhere(plugin, found, others):
                 yield _left_over(plugin, found, _no_library(plugin, found))
             continue
         if library.name not in seen_through:
-            is_open = not _is_whole(library, found.package)
-            seen_through[library.name] = not (
-                is_open or registers_otherwise(found.package, compiled_into(library, found.package))
-            )
+            seen_through[library.name] = is_seen_through(library, found.package)
         if not seen_through[library.name]:
             continue
         macros = found.by_type.get(plugin.type, [])
@@ -106,22 +103,11 @@ def _described(found: _Package, others: Container[str]) -> Iterator[Finding]:
         here = [macro for macro in macros if macro.location.path in inside]
         if not here and all(_is_source(macro.location.path) for macro in macros):
             if not is_written(plugin.type, MACROS, inside, found.package.project):
-                yield _left_over(plugin, found, _not_registered(plugin, library, found, macros))
+                hint, related = _correction(plugin, found, macros, meant.get(plugin))
+                finding = _not_registered(plugin, library, found, hint, related)
+                yield _left_over(plugin, found, finding)
         elif here and not any(may_be_base(macro.base, plugin.base) for macro in here):
             yield _other_base(plugin, found, here[0])
-
-
-def _library(plugin: PluginClass, found: _Package) -> Target | None:
-    """The target that makes the library which the description names.
-
-    ROS 2 tries the name with and without ``lib`` before it, ROS 1 takes it as it is (pluginlib's class_loader_imp.hpp); both look
-    for the last part of a path, too.
-    """
-    name = posixpath.basename(plugin.library).removesuffix(".so")
-    names = [name]
-    if found.package.ros != 1:
-        names.append(name.removeprefix("lib") if name.startswith("lib") else f"lib{name}")
-    return next((found.libraries[name] for name in names if name in found.libraries), None)
 
 
 def _may_be_elsewhere(plugin: PluginClass, found: _Package, others: Container[str]) -> bool:
@@ -183,18 +169,9 @@ def _has_class(plugin: PluginClass, found: _Package) -> bool:
     return not alike or not alike <= others - {plugin.type}
 
 
-def _not_registered(plugin: PluginClass, library: Target, found: _Package, macros: list[Registration]) -> Finding:
-    last = plugin.type.rpartition("::")[2]
-    alike = [m for m in found.by_last.get(last.lower(), ()) if m.type != plugin.type]
-    related: tuple[tuple[Location, str], ...] = ()
-    if macros:
-        hint = f"add {macros[0].location.path}, which registers it, to the sources if it compiles, or remove the class here"
-        related = ((macros[0].location, "it is registered here"),)
-    elif alike:
-        hint = f"{alike[0].type} is registered: write the same name in both places"
-        related = ((alike[0].location, f"{alike[0].type} is registered here"),)
-    else:
-        hint = "add PLUGINLIB_EXPORT_CLASS for it to a source"
+def _not_registered(
+    plugin: PluginClass, library: Target, found: _Package, hint: str, related: tuple[tuple[Location, str], ...]
+) -> Finding:
     return Finding(
         at=plugin.location,
         message=f"plug-in {plugin.name} cannot be loaded: library {library.name} does not register {plugin.type}; {hint}",
@@ -202,6 +179,24 @@ def _not_registered(plugin: PluginClass, library: Target, found: _Package, macro
         related=related,
         apart=(plugin.type,),
     )
+
+
+def _correction(
+    plugin: PluginClass, found: _Package, macros: list[Registration], meant: Registration | None
+) -> tuple[str, tuple[tuple[Location, str], ...]]:
+    """What to do about a class that its library does not register, and the place that shows it."""
+    last = plugin.type.rpartition("::")[2]
+    alike = [m for m in found.by_last.get(last.lower(), ()) if m.type != plugin.type]
+    if macros:
+        hint = f"add {macros[0].location.path}, which registers it, to the sources if it compiles, or remove the class here"
+        return hint, ((macros[0].location, "it is registered here"),)
+    if alike:
+        hint = f"{alike[0].type} is registered: write the same name in both places"
+        return hint, ((alike[0].location, f"{alike[0].type} is registered here"),)
+    if meant is not None:
+        hint = f'the library registers {meant.type}, which no description names: write type="{meant.type}"'
+        return hint, ((meant.location, f"{meant.type} is registered here"),)
+    return "add PLUGINLIB_EXPORT_CLASS for it to a source", ()
 
 
 def _other_base(plugin: PluginClass, found: _Package, macro: Registration) -> Finding:
@@ -331,13 +326,6 @@ def _unknown_classes(found: _Package, classes: Container[str]) -> Iterator[Findi
 
 def _is_source(path: str) -> bool:
     return path.endswith((".cpp", ".cc", ".cxx", ".c++", ".C", ".cu"))
-
-
-def _is_whole(library: Target, package: ProjectPackage) -> bool:
-    """Whether all its sources are known."""
-    return bool(library.sources) and not any(
-        problem.message.startswith(f"{library.name}:") for problem in package.build.problems
-    )
 
 
 CHECK = Check(

@@ -36,6 +36,7 @@ from haros_ci.api.packages import (
     needs_of,
     proposed_before,
     provided,
+    said_gone,
     unreached,
 )
 
@@ -117,7 +118,7 @@ def _finding(package: Package, group: list[_UndeclaredPackage], level: Level | N
     return Finding(
         at=dependency_place(package),
         message=f"{files} of {package.name} {'uses' if is_one else 'use'} {listed(names)}, but package.xml does not declare {them}: "
-        f"{fails} on a machine without {lacking}; add {spelled_out([dependency_tag(tag, name, package) for name in names])}",
+        f"{fails} on a machine without {lacking}; add {spelled_out([dependency_tag(tag, name, package) for name in names])}{said_gone(names, package.ros)}",
         about=(package.name, *names),
         related=tuple((use.location, f"needs {missing.name}") for missing in group for use in missing.uses[:_SHOWN]),
         flow=included_by(group[0].uses[0]) if len(group) == 1 else (),

@@ -27,6 +27,7 @@ from haros_ci.api.packages import (
     plugins_in_yaml,
     proposed_before,
     provided,
+    said_gone,
     used_by_launch_files,
 )
 
@@ -103,7 +104,7 @@ def _finding(package: Package, lacking: Mapping[str, list[PluginUse]], level: Le
         at=dependency_place(package),
         message=f"parameters of {package.name} name the plug-in{'' if one else 's'} {named}, but package.xml does not declare "
         f"{'this package' if one else 'these packages'}: on a machine without {'it' if one else 'them'} the node cannot load the "
-        f"plug-in; add {spelled_out([dependency_tag(tag, name, package) for name in lacking])}",
+        f"plug-in; add {spelled_out([dependency_tag(tag, name, package) for name in lacking])}{said_gone(lacking, package.ros)}",
         about=(package.name, *lacking),
         related=tuple(
             (plugin.location, f"needs {name}") for name, plugins in lacking.items() for plugin in plugins[:_SHOWN]

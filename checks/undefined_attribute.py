@@ -4,9 +4,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from difflib import get_close_matches
 
-from haros_ci.api import Check, Finding, Level, Project, listed
+from haros_ci.api import Check, Finding, Level, Project, listed, nearest
 from haros_ci.api.code import Unset, unset_attributes, weighed
 
 #: Methods by which a class shows that it is meant to be a node of rclpy.
@@ -72,9 +71,9 @@ def _like(unset: Unset, is_compared: bool) -> str:
         return f"; write {unset.name}, the parameter of {unset.routine.function.name.rpartition('.')[2]}()"
     own = unset.routine.function.name.rpartition(".")[2]  # nobody means the method that the line is in
     known = sorted(unset.known - {own})[:MOST_NAMES] if is_compared else []
-    found = get_close_matches(unset.name, known, 1, 0.75)
-    if found:
-        return f"; did you mean self.{found[0]}?"
+    found = nearest(unset.name, known)
+    if found is not None:
+        return f"; did you mean self.{found}?"
     return "; define the method, or remove the call" if unset.is_called else "; set it in __init__()"
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
-from haros_ci.api import Check, Finding, Level, Location, System
+from haros_ci.api import Check, Finding, Level, Location, System, nearest
 from haros_ci.api.launch import ArgumentDeclaration, ArgumentRead, IncludeUse, included_by, meant
 
 #: So many further places that read a name are shown.
@@ -109,7 +109,12 @@ def _circular(read: ArgumentRead, others: tuple[Location, ...], level: Level) ->
 
 def _missing(system: System) -> Iterator[Finding]:
     for use in system.facts(IncludeUse):
+        unknown = [
+            passed.name for passed in use.passed if use.is_whole and passed.name not in {*use.declared, *use.read}
+        ]
         for name in use.missing:
+            if any(nearest(other, [name], 0.7) for other in unknown):
+                continue  # a slip in its name, of which unused-launch-argument tells
             yield Finding(
                 at=use.location,
                 message=f"includes {use.path} without the argument {name!r}, which has no default: launch stops here; pass it",

@@ -8,8 +8,17 @@ from collections.abc import Iterator
 from difflib import get_close_matches
 from functools import cached_property
 
-from haros_ci.api import Check, Finding, Level, Location, System, listed, regex, spelled_out
-from haros_ci.api.launch import ArgumentDeclaration, IncludeUse, PassedArgument, included_by, is_nested, meant, owner
+from haros_ci.api import Check, Finding, Level, Location, System, listed, nearest, regex, spelled_out
+from haros_ci.api.launch import (
+    ArgumentDeclaration,
+    IncludeUse,
+    PassedArgument,
+    included_by,
+    is_nested,
+    meant,
+    outside_file,
+    owner,
+)
 
 #: A declaration is this many lines long at most.
 LINES = 12
@@ -52,6 +61,7 @@ _VALUES = regex(r"\"[^\"]*\"|'[^']*'")
 
 def check(system: System) -> Iterator[Finding]:
     yield from _passed_for_nothing(system)
+    yield from _passed_outside(system)
     yield from _never_read(system)
 
 
@@ -61,7 +71,8 @@ def _passed_for_nothing(system: System) -> Iterator[Finding]:
         known = {*use.declared, *use.read}
         free = sorted({*use.declared} - {passed.name for passed in use.passed})
         if use.ros == 1:
-            yield from _passed_to_ros1(use, [passed for passed in use.passed if passed.name not in known], free)
+            unknown = [passed for passed in use.passed if passed.name not in known]
+            yield from _passed_to_ros1(use, use.path or "", unknown if use.is_whole else [], free)
             continue
         for passed in use.passed if use.is_whole else ():
             if passed.name in known:
@@ -69,7 +80,7 @@ def _passed_for_nothing(system: System) -> Iterator[Finding]:
             first, *others = system.whole.passed_for_nothing.get((use.path or "", passed.name), (passed.location,))
             if passed.location != first:
                 continue
-            similar = tuple(get_close_matches(passed.name, free, 1, 0.7))
+            similar = _meant(passed.name, free)
             key = (passed.location.path, passed.name)
             targets = system.whole.passed_with_all.get(key, ())
             if targets:
@@ -116,24 +127,58 @@ def _never_read(system: System) -> Iterator[Finding]:
             )
 
 
-def _passed_to_ros1(use: IncludeUse, unknown: list[PassedArgument], free: list[str]) -> Iterator[Finding]:
-    """One finding for the arguments that an include of ROS 1 passes and its file does not declare: roslaunch ends there."""
-    if not use.is_whole or not unknown:
+def _passed_to_ros1(use: IncludeUse, file: str, unknown: list[PassedArgument], free: list[str]) -> Iterator[Finding]:
+    """One finding for the arguments that an include of ROS 1 passes and its *file* does not declare: roslaunch ends there."""
+    if not unknown:
         return
     first, *others = sorted(unknown, key=lambda passed: passed.location.sort_key)
     names = [passed.name for passed in (first, *others)]
     what = f"passes {spelled_out([repr(name) for name in names])}"
-    similar = tuple(get_close_matches(first.name, free, 1, 0.7)) if not others else ()
+    similar = _meant(first.name, free) if not others else ()
     yield Finding(
         at=first.location,
-        message=f"{what} to {use.path}, which does not declare {'them' if others else 'it'}: launch stops here{meant(similar)}",
-        about=(use.path or "", *names[:_NAMED]),
-        apart=(use.path or "", first.name),
+        message=f"{what} to {file}, which does not declare {'them' if others else 'it'}: launch stops here{meant(similar)}",
+        about=(file, *names[:_NAMED]),
+        apart=(file, first.name),
         flow=included_by(use),
         related=tuple((passed.location, f"passes {passed.name!r}") for passed in others[:_NAMED]),
         level=Level.ERROR,
         presence=use.presence,
     )
+
+
+def _meant(name: str, free: list[str]) -> tuple[str, ...]:
+    found = nearest(name, free, 0.7)
+    return () if found is None else (found,)
+
+
+def _passed_outside(system: System) -> Iterator[Finding]:
+    """Arguments that are passed to a launch file outside of the workspace which does not know them."""
+    for use in system.facts(IncludeUse):
+        known = outside_file(use.text) if use.path is None else None
+        if known is None or known.package in system.packages:
+            continue
+        file = known.name
+        free = sorted(known.arguments - {passed.name for passed in use.passed})
+        unknown = [passed for passed in use.passed if passed.name not in known.arguments]
+        if known.may_differ:  # then only what is a slip of a name that is known
+            unknown = [passed for passed in unknown if _meant(passed.name, free)]
+        if use.ros == 1:  # what pass_all_args passes stands at the include itself
+            yield from _passed_to_ros1(
+                use, file, [passed for passed in unknown if passed.location != use.location], free
+            )
+            continue
+        for passed in unknown:
+            similar = _meant(passed.name, free)
+            yield Finding(
+                at=passed.location,
+                message=f"passes {passed.name!r} to {file}, which does not declare it: it has no effect{meant(similar)}",
+                about=(file, passed.name),
+                apart=(file, passed.name),
+                flow=included_by(use),
+                level=Level.NOTE if passed.name == _CLOCK and not similar else None,
+                presence=use.presence,
+            )
 
 
 def _passed_with_all(

@@ -5,10 +5,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from haros_ci.api import Check, Decidability, End, Finding, Level, System, SystemNode, together
+from haros_ci.api import Check, Decidability, End, Finding, Level, System, SystemNode, regex, together
 
-#: Names of types of messages that carry a time, or of which the time matters.
 CLOCK = "/clock"
+#: Words of code that reads a clock or a stamp, or looks up transforms.
+_TIME = regex(
+    r"\bnow\s*\(|[cC]lock|\bstamps?\b|\btf2\b|tf2_(?!msgs)\w+|[tT]ransform(?:Listener|er|Broadcaster)|lookup|message_filters|Synchronizer|\bTime\b"
+)
+_COMMENTS = regex(r"#(?!include)[^\n]*|//[^\n]*")
 
 
 def check(system: System) -> Iterator[Finding]:
@@ -19,7 +23,7 @@ def check(system: System) -> Iterator[Finding]:
     if not simulated:
         return
     for node in system.nodes:
-        if clocks.get(id(node)) is not False or not _takes_part(node):
+        if clocks.get(id(node)) is not False or not _takes_part(node) or not _may_read_time(node, system):
             continue
         others = [other_node for other_node in simulated if together(node.presence, other_node.presence) is not None]
         partner = next((other for other in others if _are_linked(system, node, other)), None)
@@ -46,6 +50,14 @@ def _clock(node: SystemNode) -> bool | None:
 def _takes_part(node: SystemNode) -> bool:
     """Whether the time of the node matters to others: it is complete, makes no clock itself, and sends or gets messages."""
     return node.complete and not any(end.name == CLOCK for end in node.of("publishers"))
+
+
+def _may_read_time(node: SystemNode, system: System) -> bool:
+    """Whether the files that make its ends have a word of clocks, stamps or transforms; of what comes from elsewhere that is not known."""
+    paths = {end.location.path for end in node.ends if end.in_source}
+    if system.workspace is None or not paths:
+        return True
+    return any(_TIME.search(_COMMENTS.sub("", system.workspace.text(path))) for path in paths)
 
 
 def _are_linked(system: System, one: SystemNode, other: SystemNode) -> bool:

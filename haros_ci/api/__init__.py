@@ -18,7 +18,7 @@ from haros_ci.checking.given import (
 from haros_ci.checking.given_names import is_given_away
 from haros_ci.checking.incompatible import incompatible
 from haros_ci.checking.kinds import ACTION, NO_SYSTEMS, SERVICE, TOPIC
-from haros_ci.checking.likeness import is_letter_slip, is_moved, is_slip, may_be
+from haros_ci.checking.likeness import is_letter_slip, is_moved, is_slip, may_be, nearest
 from haros_ci.checking.offered import type_mismatches
 from haros_ci.checking.project import Project, ProjectPackage
 from haros_ci.checking.remapping import is_idle, named_at, rule_of, way_to
@@ -91,6 +91,7 @@ __all__ = [
     "listed",
     "spelled_out",
     "may_be",
+    "nearest",
     "misplaced",
     "named_at",
     "near",

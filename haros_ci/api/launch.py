@@ -8,6 +8,9 @@ from haros_ci.checking.launch_edits import renamed_keyword
 from haros_ci.checking.launching import included_by, is_end_of_longer, is_nested, meant, owner, said_by
 from haros_ci.checking.old_distributions import is_called_old, is_tried, told_of
 from haros_ci.checking.optional import is_optional
+from haros_ci.checking.outside_arguments import outside_file
+from haros_ci.checking.share_uses import share_uses
+from haros_ci.checking.unread_values import is_undeclared_value, is_unread_argument, unread_parameter
 from haros_ci.checking.yaml_texts import yaml_fault
 from haros_ci.model.launch_facts import (
     ArgumentDeclaration,
@@ -47,18 +50,23 @@ __all__ = [
     "ProgramUse",
     "depends_on_distribution",
     "included_by",
-    "is_end_of_longer",
     "is_called_old",
+    "is_end_of_longer",
     "is_nested",
     "is_optional",
     "is_tried",
+    "is_undeclared_value",
+    "is_unread_argument",
     "may_make_program",
     "meant",
+    "outside_file",
     "owner",
     "renamed_keyword",
     "said_by",
+    "share_uses",
     "similar_files",
     "similar_names",
     "told_of",
+    "unread_parameter",
     "yaml_fault",
 ]

@@ -4,6 +4,8 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
+from difflib import get_close_matches
 
 #: Words that distinguish members of a pair: names that differ only in these are meant to differ.
 _TWINS = frozenset(
@@ -24,6 +26,13 @@ _TWINS = frozenset(
         )
     }
 )
+
+#: Words for the two ends of a connection, which are nearly the same.
+_OTHER_ENDS = frozenset(
+    {frozenset(("pub", "sub")), frozenset(("publisher", "subscriber")), frozenset(("publisher", "subscription"))}
+)
+#: So many of the names that are alike are tried.
+_TRIED = 3
 
 
 def is_slip(one: str, other: str) -> bool:
@@ -46,6 +55,36 @@ def is_slip(one: str, other: str) -> bool:
 def is_letter_slip(one: str, other: str) -> bool:
     """Whether two names of any length differ by one letter that is too much, too few or wrong, or by two swapped ones: digits distinguish names."""
     return one != other and _digits(one) == _digits(other) and _one_edit(one, other)
+
+
+def nearest(name: str, names: Iterable[str], cutoff: float = 0.75) -> str | None:
+    """The one of *names* that is likely to be meant by *name*; None if there is none.
+
+    Names of as many words that differ in a word which is another one (``image_x`` and ``image_id``, ``scan_pub`` and ``scan_sub``), or in a
+    digit, are names of other things.
+    """
+    fits = (other for other in get_close_matches(name, list(names), _TRIED, cutoff) if not _is_of_another(name, other))
+    return next(fits, None)
+
+
+def _is_of_another(one: str, other: str) -> bool:
+    """Whether two names differ in a word that distinguishes them."""
+    words, others = ([word for word in name.lower().split("_") if word] for name in (one, other))
+    if len(words) != len(others) or len(words) < 2:
+        return False
+    differing = [pair for pair in zip(words, others) if pair[0] != pair[1]]
+    return any(_digits(a) != _digits(b) or _are_two(a, b) for a, b in differing)
+
+
+def _are_two(one: str, other: str) -> bool:
+    """Whether two words are two, and none is a slip or a form of the other."""
+    if frozenset((one, other)) in _TWINS | _OTHER_ENDS:
+        return True
+    if one.startswith(other) or other.startswith(one):
+        return False
+    if min(len(one), len(other)) < 3:
+        return len(one) == len(other) or not _one_edit(one, other)
+    return not (_one_edit(one, other) or get_close_matches(one, [other], 1, 0.6))
 
 
 def is_moved(one: str, other: str) -> bool:

@@ -6,13 +6,17 @@ from __future__ import annotations
 from collections.abc import Collection
 from functools import cache
 
-from haros_ci.checking.likeness import is_slip
+from haros_ci.checking.likeness import is_letter_slip, is_slip
 from haros_ci.knowledge.knowledge import knowledge
 
 #: How many packages of a workspace begin alike where that is their prefix.
 _COMMON = 4
-#: Shorter names are too much alike.
-_LONG = 7
+#: Shorter names are too much alike, but for a slip in one that nearly all workspaces use.
+_LONG, _SHORT = 7, 4
+_OF_ALL = tuple(
+    """amcl controller_manager gazebo_ros gmapping joint_state_publisher joy map_server move_base nodelet rclcpp rclpy robot_state_publisher
+    ros_gz_sim rosbag roscpp rospy rqt_graph rviz rviz2 slam_toolbox std_msgs tf2_ros urdf xacro""".split()
+)
 
 
 def meant_here(name: str, names: Collection[str], declared: Collection[str] = ()) -> str | None:
@@ -32,7 +36,12 @@ def meant_here(name: str, names: Collection[str], declared: Collection[str] = ()
 
 def meant_released(name: str) -> str | None:
     """The package of a distribution that is meant by a name that no package has."""
-    if len(name) < _LONG or knowledge().is_package(name) is not False:
+    if len(name) < _SHORT or knowledge().is_package(name) is not False:
+        return None
+    of_all = [other for other in _OF_ALL if name[0] == other[0] and is_letter_slip(name, other)]
+    if len(of_all) == 1:
+        return of_all[0]
+    if len(name) < _LONG:
         return None
     near = [other for other in knowledge().packages() if abs(len(other) - len(name)) < 3 and is_slip(name, other)]
     return next((other for other in near if not _has_words_of_others(name, other)), None)

@@ -152,6 +152,22 @@ def plugin_library(package: ProjectPackage, plugin: PluginClass) -> Target | Non
     return targets.get(base) or by_output.get(base) or by_output.get(f"lib{base}")
 
 
+def describes_installed(package: ProjectPackage, inner: str) -> bool:
+    """Whether the file *inner* of the package describes plug-ins of a library that is installed, which nobody finds without it.
+
+    It is not where an install() names another description, which is not there: missing-install-source tells of that one.
+    """
+    suffix = posixpath.splitext(inner)[1]
+    named = (install.command.place(thing) for install in package.cmake.installs for thing in install.things)
+    if any(path is not None and path.endswith(suffix) and not package.project.exists(path) for path in named):
+        return False
+    for plugin in package.build.plugins if package.ros == 1 else ():
+        target = plugin_library(package, plugin) if plugin.location.path == package.inside(inner) else None
+        if target is not None and target.is_installed:
+            return True
+    return False
+
+
 def lost_plugins(package: ProjectPackage) -> Mapping[str, tuple[PluginClass, ...]]:
     """By target the plug-ins of *package* whose libraries, and the descriptions of these beside package.xml, are not installed either."""
     found: dict[str, tuple[PluginClass, ...]] = {}

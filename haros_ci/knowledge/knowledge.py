@@ -84,6 +84,14 @@ class Knowledge:
         ]
         return any(ros is None or (item in ROS_1) == (ros == 1) for item in alive)
 
+    def last_of_the_past(self, name: str) -> str | None:
+        """The last distribution of ROS 2 that has the package, if none from Humble on has it; None where one has, or that is not known."""
+        mask = self.facts.section("packages").get(name)
+        bits, distributions = int(mask or "0", 16), self.facts.about.get("distributions", ())
+        having = {distribution for at, distribution in enumerate(distributions) if bits >> at & 1}
+        known = [distribution for distribution in ROS_2 if distribution in having]
+        return known[-1] if known and ROS_2.index(known[-1]) < ROS_2.index("humble") else None
+
     @property
     def is_there(self) -> bool:
         """Whether there are facts at all."""

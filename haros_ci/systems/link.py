@@ -45,6 +45,7 @@ from haros_ci.systems import (
     unstarted,
 )
 from haros_ci.systems.following import KnownNodes, Types
+from haros_ci.systems.hidden_launches import hidden_facts
 from haros_ci.systems.keeping import Keeper
 from haros_ci.systems.launch_facts import Completion
 from haros_ci.systems.node_types import path_name, types_of
@@ -258,10 +259,15 @@ def linked(
     present.remember(types, (*fresh, *fresh_too))
     results, other_results = iter(done[: len(jobs)]), iter(done[len(jobs) :])
     completion = Completion(workspace, builds, types)
+    by_launch = {item.launch: opened.facts for item, opened in launched if alternatives and requested is None}
+    hidden = hidden_facts(
+        workspace, load, defaults.over(environment), by_launch, ros2.memo if ros2 is not None else None
+    )
     for item, opened in launched:
         followed = list(islice(results, len(opened.jobs)))
         problems.update(dict.fromkeys(problem for _, report in followed for problem in report))
         beside = list(islice(other_results, len(opened.others)))
+        opened = replace(opened, facts=(*opened.facts, *hidden.get(item.launch, ())))
         configurations.append(_configuration(completion, item, opened, followed, beside))
     alone = zip(results, jobs[sum(len(opened.jobs) for _, opened in launched) :], strict=True)
     configurations += unstarted.configurations(alone, problems, {item.name for item in configurations})

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from haros_ci.checking.likeness import is_moved, is_slip, may_be
+from haros_ci.checking.likeness import is_moved, is_slip, may_be, nearest
 
 NAMES = st.text("abcde_1", max_size=9)
 
@@ -102,3 +102,31 @@ def test_may_be(pattern: str, name: str) -> None:
 )
 def test_may_not_be(pattern: str, name: str) -> None:
     assert not may_be(pattern, name)
+
+
+@pytest.mark.parametrize(
+    ("name", "names", "expected"),
+    [
+        ("image_widht", ("image_width", "image_height"), "image_width"),
+        ("P4_RX_PREFIX", ("PX4_RX_PREFIX",), "PX4_RX_PREFIX"),
+        ("scan_pub", ("scan_pub_", "scan_sub"), "scan_pub_"),
+        ("cmd_pub", ("cmd_vel_pub",), "cmd_vel_pub"),
+        ("headlss", ("headless", "debug"), "headless"),
+        ("gz_arg", ("gz_args", "ign_args"), "gz_args"),
+        ("poses_left", ("pose_left", "pose_right"), "pose_left"),
+        ("config", ("configs",), "configs"),
+        # of another thing
+        ("image_x", ("image_id", "image_width"), None),
+        ("scan_pub", ("scan_sub",), None),
+        ("pose_publisher", ("pose_subscriber",), None),
+        ("wheel_1", ("wheel_2",), None),
+        ("joint_x", ("joint_y",), None),
+        ("arm_left", ("arm_right",), None),
+        ("goal_reached", ("goal_position",), None),
+        ("speed", ("colour",), None),
+        ("speed", (), None),
+        ("", ("a",), None),
+    ],
+)
+def test_the_name_that_is_meant(name: str, names: tuple[str, ...], expected: str | None) -> None:
+    assert nearest(name, names) == expected

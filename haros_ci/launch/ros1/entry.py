@@ -11,6 +11,7 @@ from haros_ci.launch.ros1.scope import LoaderScope
 from haros_ci.launch.ros1.state import RoslaunchState
 from haros_ci.model.environment import NOTHING
 from haros_ci.model.launch import LaunchElement, LaunchFile
+from haros_ci.model.location import Location
 from haros_ci.model.loose_launches import is_loose_launch
 from haros_ci.model.workspace import Workspace
 from haros_ci.substitutions.files import Files, files_of
@@ -44,37 +45,46 @@ def entry_files(
         return {
             target
             for path, launch in by.items()
-            for target in _includes(files, load, path, launch, environment)
+            for target, _, _ in includes_of(files, load, path, launch, environment)
             if target != path
         }
 
     return tuple(sorted((launches.keys() - included(launches)) | (loose.keys() - included({**launches, **loose}))))
 
 
-def _includes(
+def includes_of(
     files: Files,
     load: Callable[[str], LaunchFile | None],
     path: str,
     launch: LaunchFile,
     environment: Mapping[str, str],
-) -> Iterator[str]:
-    """The files that *launch* itself includes."""
+) -> Iterator[tuple[str, Location, bool]]:
+    """The files that *launch* itself includes, each with the tag, and whether a condition that is written as false stands around it."""
     state = RoslaunchState(files=files, load=load, environment=environment)
     top = LoaderScope(path=path, namespace=Text("/"), directory=files.directory_of(path))
-    todo: list[tuple[LoaderScope, LaunchElement]] = []
+    todo: list[tuple[LoaderScope, LaunchElement, bool]] = []
     if launch.root is not None:
-        todo = [(top, child) for child in reversed(launch.root.children)]
+        todo = [(top, child, False) for child in reversed(launch.root.children)]
     while todo:
-        scope, tag = todo.pop()
+        scope, tag, is_dead = todo.pop()
+        is_dead = is_dead or _is_never(tag)
         if tag.tag == "arg":
             conditions = state.conditions(scope, tag)
             if conditions is not None:
                 arg(state, scope, tag, conditions)
         elif tag.tag == "group":
             inner = scope.child(scope.namespace, ())
-            todo.extend((inner, child) for child in reversed(tag.children))
+            todo.extend((inner, child, is_dead) for child in reversed(tag.children))
         elif tag.tag == "include":
             file = state.attribute(scope, tag, "file")
             place = files.place(file) if file is not None else None
             if place is not None and place.path is not None:
-                yield place.path
+                yield place.path, Location(path, tag.line, tag.column), is_dead
+
+
+def _is_never(tag: LaunchElement) -> bool:
+    """Whether *tag* has a condition of a written value that does not hold."""
+    return (tag.get("if") or "").strip().lower() in ("0", "false") or (tag.get("unless") or "").strip().lower() in (
+        "1",
+        "true",
+    )
