@@ -310,19 +310,7 @@ def _methods_of(code: Codebase, source: Source, name: str) -> list[Routine]:
     found: list[Routine] = []
     for path in sorted(paths.get(name, ())):
         if path == source.path or (source.separator == "::" and source.path in code.cpp.reach(path)):
-            found += _by_owner(code, path).get(name, ())
-    return found
-
-
-def _by_owner(code: Codebase, path: str) -> Mapping[str, Sequence[Routine]]:
-    """The routines of a file by their classes."""
-    key = ("routines by class", path)
-    if key not in code.kept:
-        made: dict[str, list[Routine]] = {}
-        for routine in code.routines(path):
-            made.setdefault(routine.owner, []).append(routine)
-        code.kept[key] = made
-    found: dict[str, list[Routine]] = code.kept[key]
+            found += code.routines_of(path, name)
     return found
 
 
