@@ -6,7 +6,19 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from haros_ci.api import Check, End, Finding, Level, Location, Project, System, regex
-from haros_ci.api.changes import CHANGED_ENDS, Causes, Change, Lost, both, change_said, has_unseen, is_unseen, lost_in
+from haros_ci.api.changes import (
+    CHANGED_ENDS,
+    Causes,
+    Change,
+    Lost,
+    both,
+    change_said,
+    has_unseen,
+    is_unseen,
+    left_out,
+    lost_in,
+    replaced,
+)
 
 #: What the ends that are left over do with a topic, service or action that nobody gives.
 DOES = {
@@ -37,6 +49,30 @@ def check(project: Project) -> Iterator[Finding]:
     yield from _displays(project)
     yield from _types(project)
     yield from _names(project)
+    yield from _nodes(project)
+
+
+def _nodes(project: Project) -> Iterator[Finding]:
+    """Nodes that a launch file still makes and does not start any more, and those that may be of another class."""
+    reported: set[tuple[Location, str]] = set()
+    for place, node in left_out(project):
+        if (place, node.name) not in reported:
+            reported.add((place, node.name))
+            yield Finding(
+                at=place,
+                message=(
+                    f"{node.name} is not seen to be started any more, though the launch file still names its program {node.raw.type}: it is not "
+                    "among the actions that are given back, as far as these are known; take it away, or start it"
+                ),
+                about=(node.name, node.type),
+                level=Level.NOTE,
+            )
+    for node, unknown in replaced(project):
+        place = unknown.location or node.location
+        if (place, unknown.reason) not in reported:
+            reported.add((place, unknown.reason))
+            message = f"{node.name} is not wholly known since the change: {unknown.reason}, with other topics, services or types; look at it"
+            yield Finding(at=place, message=message, about=(node.name, unknown.reason), level=Level.NOTE)
 
 
 def _names(project: Project) -> Iterator[Finding]:

@@ -19,6 +19,7 @@ from haros_ci.checking.changed import (
     in_words as change_said,
 )
 from haros_ci.checking.left_behind import LeftBehind, left_behind
+from haros_ci.checking.left_out import left_out, replaced
 from haros_ci.model.changes import Change, Changes
 
 __all__ = [
@@ -33,6 +34,8 @@ __all__ = [
     "has_unseen",
     "is_unseen",
     "left_behind",
+    "left_out",
     "lost_in",
+    "replaced",
     "same_end",
 ]

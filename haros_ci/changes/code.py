@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from haros_ci.changes.calls import ChangedCall
 from haros_ci.changes.change import ADDED, CHANGED, REMOVED, RENAMED, Difference, tail
 from haros_ci.changes.endpoints import RENAMED_FROM, Moved
-from haros_ci.changes.names import UNKNOWN, likeness
+from haros_ci.changes.names import UNKNOWN, likeness, too_many
 from haros_ci.changes.nodes import said_ends
 from haros_ci.model.architecture import Architecture
 
@@ -131,6 +131,8 @@ def _paired(base: Calls, head: Calls) -> tuple[list[tuple[ChangedCall, ChangedCa
 
 def _renamed(removed: Found, new: Found) -> list[tuple[tuple[str, ChangedCall], tuple[str, ChangedCall]]]:
     """Calls of one file under a new name, of the same type and default, the likest first."""
+    if too_many(removed, new):
+        return []
     ranked = sorted(
         (-likeness(old[1].name, now[1].name), place, number)
         for place, old in enumerate(removed)

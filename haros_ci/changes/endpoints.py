@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable, Iterator
 from dataclasses import fields, replace
 
 from haros_ci.changes.change import ADDED, CHANGED, REMOVED, RENAMED, Difference, shown
-from haros_ci.changes.names import is_known, likeness, may_be_same, relative
+from haros_ci.changes.names import is_known, likeness, may_be_same, relative, too_many
 from haros_ci.changes.nodes import identity, program, said_ends
 from haros_ci.model.architecture import Endpoint, Node, Qos
 from haros_ci.records import dataclass, field
@@ -176,6 +176,8 @@ def _doubts(node: Node) -> frozenset[str]:
 
 def _renamed(sides: NodePair, removed: Found, new: Found) -> Iterator[tuple[Endpoint, Endpoint]]:
     """An end under a new name: in the same file, of the same type and default, the name alike or no other in question."""
+    if too_many(removed, new):
+        return
     ranked = []
     for place, (name, end) in enumerate(removed):
         fitting = [(number, item) for number, item in enumerate(new) if _fits(sides, end, item[1])]

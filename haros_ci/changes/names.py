@@ -4,9 +4,12 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sized
 from difflib import SequenceMatcher
 
 UNKNOWN = "?"
+#: So many pairs of names are likened in one configuration, node or list of calls: 200 that are gone and 200 that are new.
+MOST_PAIRS = 40_000
 
 
 def relative(name: str, node: str) -> str:
@@ -40,6 +43,11 @@ def _matches(pattern: str, name: str) -> bool:
         return not is_known(pattern)
     expression = ".*".join(re.escape(part) for part in pattern.split(UNKNOWN))
     return re.fullmatch(expression, name) is not None
+
+
+def too_many(removed: Sized, new: Sized) -> bool:
+    """Whether more pairs of what is gone and what is new would be compared than is done: then nothing is taken for renamed."""
+    return len(removed) * len(new) > MOST_PAIRS
 
 
 def likeness(one: str, other: str) -> float:

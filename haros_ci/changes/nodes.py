@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
-from haros_ci.changes.names import is_known, likeness, relative
+from haros_ci.changes.names import is_known, likeness, relative, too_many
 from haros_ci.model.architecture import Endpoint, Node
 from haros_ci.records import dataclass
 
@@ -62,11 +62,10 @@ def pair(base: Iterable[Node], head: Iterable[Node]) -> Pairs:
         removed += nodes[len(others) :]
         right.setdefault(name, []).extend(others[len(nodes) :])
     added = [node for nodes in right.values() for node in nodes]
-    for node, other in _renamed(removed, added):
-        both.append((node, other))
-        removed = [other_node for other_node in removed if other_node is not node]
-        added = [other_node for other_node in added if other_node is not other]
-    return Pairs(tuple(both), tuple(removed), tuple(added))
+    renamed = [*_renamed(removed, added)]
+    paired = {id(node) for pair in renamed for node in pair}
+    left_over = (tuple(node for node in nodes if id(node) not in paired) for nodes in (removed, added))
+    return Pairs((*both, *renamed), *left_over)
 
 
 def _grouped(nodes: Iterable[Node]) -> dict[str, list[Node]]:
@@ -90,6 +89,8 @@ def _zipped(nodes: list[Node], others: list[Node]) -> Iterator[tuple[Node, Node]
 
 def _renamed(removed: list[Node], added: list[Node]) -> Iterator[tuple[Node, Node]]:
     """Pairs of one program under two names, the likest first."""
+    if too_many(removed, added):
+        return
     ranked = []
     ends = {id(node): ends_of(node) for node in (*removed, *added)}
     for number, node in enumerate(removed):

@@ -225,6 +225,11 @@ class CMake:
         target = self.targets.get(name)
         return target.links[0] if target is not None and target.kind == "alias" and target.links else name
 
+    @cached_property
+    def by_output(self) -> Mapping[str, Target]:
+        """The targets by the names of the libraries that they are on Linux, without their suffix."""
+        return {f"{target.prefix or 'lib'}{target.output}": target for target in self.targets.values()}
+
     def linked(self, name: str) -> Iterator[Target]:
         """The package's own targets that *name* is linked with, directly or through others, each once."""
         seen, todo = {name}, [name]

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 from haros_ci.checking.project import ProjectPackage
 from haros_ci.checking.wording import listed
@@ -127,9 +127,15 @@ def brings(package: ProjectPackage, names: Iterable[str], *targets: str) -> bool
     The dependencies of a package of the workspace are those of its manifest, those of other packages come from the knowledge of releases for the
     ROS of *package*.
     """
+    ones = frozenset(names)
+    key = ("brings", package.ros, ones, targets)
+    return package.project.sources.once(key, lambda: _brings(package, ones, targets))
+
+
+def _brings(package: ProjectPackage, names: Iterable[str], targets: Sequence[str]) -> bool | None:
     project = package.project
     seen: set[str] = set()
-    rest = list(names)
+    rest = sorted(names)
     is_known = True
     while rest:
         name = rest.pop()

@@ -8,7 +8,7 @@ An object is known where it is the parameter of a callback that is registered fo
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Sequence, Set
 
 from haros_ci import syntax
 from haros_ci.checking.code_text import alone
@@ -19,7 +19,7 @@ from haros_ci.code.body import nodes
 from haros_ci.code.callbacks import Callback, callbacks
 from haros_ci.code.classes import owner_of
 from haros_ci.code.codebase import Codebase, Routine
-from haros_ci.code.kinds import attribute_values, dotted
+from haros_ci.code.kinds import dotted, values_by_attribute
 from haros_ci.interfaces.definitions import Definitions
 from haros_ci.interfaces.structs import Struct, Structs
 from haros_ci.model.location import Location
@@ -178,16 +178,23 @@ def _attributes(code: Codebase, routine: Routine, structs: Structs) -> dict[str,
     key = ("message attributes", id(owner[1]), structs.known.ros)
     if key not in code.kept:
         made: dict[str, Struct] = {}
-        every = (
-            target for other_routine in code.routines(routine.path) for target, *_ in code.body(other_routine).sets
-        )
-        names = {target.name for target in every if isinstance(target, syntax.Member)}
-        for name in sorted(names):
-            struct = _made(code, structs, list(attribute_values(code, owner, name)))
+        values = values_by_attribute(code, owner)
+        for name in sorted(values.keys() & _members(code, routine.path)):
+            struct = _made(code, structs, values[name])
             if struct is not None and not _is_shared(code, routine.path, f"{owner[1].name}.{name}"):
                 made[f"self.{name}"] = struct
         code.kept[key] = made
     found: dict[str, Struct] = code.kept[key]
+    return found
+
+
+def _members(code: Codebase, path: str) -> Set[str]:
+    """The names of the members that a file sets, of whatever object."""
+    key = ("members that are set", path)
+    if key not in code.kept:
+        every = (target for routine in code.routines(path) for target, *_ in code.body(routine).sets)
+        code.kept[key] = frozenset(target.name for target in every if isinstance(target, syntax.Member))
+    found: frozenset[str] = code.kept[key]
     return found
 
 

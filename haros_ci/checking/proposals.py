@@ -44,7 +44,7 @@ def _before(reason: Reason, project: Project) -> Edges:
     edges = dict(proposed_before(last, project))
     names = project.manifests.keys()
     for package, asked in _asked(last, project):
-        for name in sorted(asked & names - {package}):
+        for name in sorted((asked & names) - {package}):
             if not closes_a_cycle(package, name, project.manifests, edges):
                 edges[package] = edges.get(package, frozenset()) | {name}
     return edges

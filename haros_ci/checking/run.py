@@ -68,28 +68,23 @@ def run_checks(checks: Sequence[Check], found: Iterable[System], tool: str, unde
     failures: dict[str, Notification] = {}
     confirm = _Confirmation(under)
     budget = Patience()
-    ones = [(check, check.run) for check in checks if check.run is not None]
-    for system in found:
-        for check, run in ones:
-            if budget.has_ended(check.id) or (system.is_refused and not check.of_refused):
-                continue
-            try:
-                with stage(CHECKS, check.id), budget.with_(check.id):
-                    for finding in run(system):
-                        if finding.at.path in system.refused and not check.of_refused:
-                            continue
-                        checked = _with_arguments(check, lowered(finding, system.workspace), system)
-                        if checked is None or (checked.arguments and not confirm(checked)):
-                            continue
-                        alike = by_key.setdefault(checked.key, {})
-                        before = alike.setdefault(subject(finding.about), checked)
-                        if checked.rank < before.rank:
-                            alike[subject(finding.about)] = checked
-            except Exception as err:  # a fault of one check must not lose the others
-                message = f"the check {check.id} failed on {system.name}: {type(err).__name__}: {err}"
-                failures.setdefault(check.id, Notification(Level.ERROR, message, tool=tool))
-            except Overrun:
-                failures[check.id] = _ended(check, tool, f" on {system.name}")
+    every = tuple(found)
+    for check in checks:
+        here: System | None = None
+        try:
+            with stage(CHECKS, check.id), budget.with_(check.id):
+                for here in every if check.run is not None else ():
+                    try:
+                        for checked in _found_in(here, check, confirm):
+                            alike = by_key.setdefault(checked.key, {})
+                            before = alike.setdefault(subject(checked.finding.about), checked)
+                            if checked.rank < before.rank:
+                                alike[subject(checked.finding.about)] = checked
+                    except Exception as err:  # a fault of one check must not lose the others
+                        message = f"the check {check.id} failed on {here.name}: {type(err).__name__}: {err}"
+                        failures.setdefault(check.id, Notification(Level.ERROR, message, tool=tool))
+        except Overrun:
+            failures[check.id] = _ended(check, tool, f" on {here.name}" if here is not None else "")
     chosen = [
         (best, _other_names(best, alike.values())) for alike in by_key.values() for best in [_best(alike.values())]
     ]
@@ -101,6 +96,18 @@ def run_checks(checks: Sequence[Check], found: Iterable[System], tool: str, unde
     results = sorted((_result(checked, more, tool) for checked, more in chosen), key=lambda result: result.sort_key)
     graphs = tuple(graph_of(system) for _, system in sorted(used.items()))
     return Checked(tuple(results), graphs, tuple(failures[id] for id in sorted(failures)))
+
+
+def _found_in(system: System, check: Check, confirm: _Confirmation) -> Iterator[_ConfirmedFinding]:
+    """What *check* finds in *system* that holds there, or is confirmed under other launch arguments."""
+    if check.run is None or (system.is_refused and not check.of_refused):
+        return
+    for finding in check.run(system):
+        if finding.at.path in system.refused and not check.of_refused:
+            continue
+        checked = _with_arguments(check, lowered(finding, system.workspace), system)
+        if checked is not None and (not checked.arguments or confirm(checked)):
+            yield checked
 
 
 def run_on_project(

@@ -10,7 +10,7 @@ from typing import TypeVar
 from haros_ci.checking.coexistence import can_meet, in_doubt
 from haros_ci.checking.given import Given, Names, give, taken_in
 from haros_ci.checking.kinds import ACTION, SERVICE, TOPIC, WORDS
-from haros_ci.checking.whole import Whole
+from haros_ci.checking.whole import PackageTables, Whole
 from haros_ci.model.architecture import (
     Architecture,
     Configuration,
@@ -229,11 +229,17 @@ class System:
     """One configuration. Names that are not wholly known (``?``) are in no channel; ask ``nodes`` for all ends."""
 
     def __init__(
-        self, configuration: Configuration, architecture: Architecture, workspace: Workspace | None = None
+        self,
+        configuration: Configuration,
+        architecture: Architecture,
+        workspace: Workspace | None = None,
+        tables: PackageTables | None = None,
     ) -> None:
+        """With *tables*, those of the architecture's packages, all its systems have the same ones."""
         self.raw = configuration
         self.workspace = workspace
-        self.packages: Mapping[str, Package] = {package.name: package for package in architecture.packages}
+        self._tables = tables or PackageTables(architecture.packages)
+        self.packages = self._tables.by_name
         alternatives = getattr(configuration, "alternatives", ())
         self.nodes: tuple[SystemNode, ...] = (
             *(SystemNode(node) for node in configuration.nodes),
@@ -247,10 +253,10 @@ class System:
     def name(self) -> str:
         return self.raw.name
 
-    @cached_property
+    @property
     def packages_by_path(self) -> Mapping[str, Package]:
         """The packages by their root-relative directories, ``.`` for the root."""
-        return {package.path: package for package in self.packages.values()}
+        return self._tables.by_path
 
     @property
     def launch(self) -> tuple[str, ...]:
@@ -333,7 +339,8 @@ class System:
 def systems(architecture: Architecture, workspace: Workspace | None = None) -> Iterator[System]:
     """Every configuration as a system, in the architecture's order, but for programs that no build installs."""
     ones = (configuration for configuration in architecture.configurations if not configuration.is_loose)
-    found = tuple(System(configuration, architecture, workspace) for configuration in ones)
+    tables = PackageTables(architecture.packages)
+    found = tuple(System(configuration, architecture, workspace, tables) for configuration in ones)
     whole = Whole(found)
     for system in found:
         system.whole = whole

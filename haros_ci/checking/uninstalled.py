@@ -146,9 +146,8 @@ def is_program(package: ProjectPackage, target: Target) -> bool:
 
 def plugin_library(package: ProjectPackage, plugin: PluginClass) -> Target | None:
     """The target of *package* that makes the library of *plugin*, as its description names it."""
-    targets = package.cmake.targets
+    targets, by_output = package.cmake.targets, package.cmake.by_output
     base = posixpath.basename(plugin.library).removesuffix(".so")
-    by_output = {f"{target.prefix or 'lib'}{target.output}": target for target in targets.values()}
     return targets.get(base) or by_output.get(base) or by_output.get(f"lib{base}")
 
 

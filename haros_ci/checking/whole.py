@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING
 
@@ -15,6 +15,7 @@ from haros_ci.regex import regex
 if TYPE_CHECKING:
     from haros_ci.checking.launch_readers import LaunchReaders
     from haros_ci.checking.system import System
+    from haros_ci.model.package import Package
     from haros_ci.model.workspace import Workspace
 
 #: How the names of source files end, and the files of these that run no node.
@@ -49,6 +50,14 @@ def repositories_named(workspace: Workspace) -> frozenset[str]:
     texts = (workspace.text(path) for path in sorted(workspace.names) if path.lower().endswith(endings))
     parts = (url.rstrip("/.").split("/") for text in texts for url in _URL.findall(text))
     return frozenset(name.removesuffix(".git") for part in parts for name in (*part[4:5], part[-1]))
+
+
+class PackageTables:
+    """The packages of an architecture by their names, and by their root-relative directories."""
+
+    def __init__(self, packages: Iterable[Package]) -> None:
+        self.by_name: Mapping[str, Package] = {package.name: package for package in packages}
+        self.by_path: Mapping[str, Package] = {package.path: package for package in self.by_name.values()}
 
 
 class Whole:

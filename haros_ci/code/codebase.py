@@ -7,7 +7,7 @@ Built once; everything that costs time is made when it is asked for.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import Any
 
 from haros_ci.code.body import Body, body_of
@@ -147,6 +147,17 @@ class Codebase:
         """The lambda or nested function at *index* of the routine's file."""
         functions = routine.source.program.functions
         return self.routine(routine.source, functions[index]) if 0 <= index < len(functions) else None
+
+    def routines_of(self, path: str, owner: str) -> Sequence[Routine]:
+        """Those of ``routines`` that see the ``this`` of the class *owner*."""
+        key = ("routines by class", path)
+        if key not in self.kept:
+            made: dict[str, list[Routine]] = {}
+            for routine in self.routines(path):
+                made.setdefault(routine.owner, []).append(routine)
+            self.kept[key] = made
+        found: Sequence[Routine] = self.kept[key].get(owner, ())
+        return found
 
     def mentioning(self, *words: str) -> frozenset[str]:
         """The files of programs whose text contains one of *words*, without firmware and those that no target compiles."""

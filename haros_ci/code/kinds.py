@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from haros_ci import syntax
 from haros_ci.code import classes
@@ -267,6 +267,11 @@ def _assigned(code: Codebase, routine: Routine, name: str) -> list[Expression]:
 
 def attribute_values(code: Codebase, owner: classes.Owner, name: str) -> tuple[tuple[Routine, Expression], ...]:
     """All that the methods of a class (and of its bases) assign to a member of ``this``; None-values are left out."""
+    return values_by_attribute(code, owner).get(name, ())
+
+
+def values_by_attribute(code: Codebase, owner: classes.Owner) -> Mapping[str, tuple[tuple[Routine, Expression], ...]]:
+    """``attribute_values`` of all members, by their names."""
     key = ("attributes", id(owner[1]))
     if key not in code.kept:
         found: dict[str, list[tuple[Routine, Expression]]] = {}
@@ -279,7 +284,7 @@ def attribute_values(code: Codebase, owner: classes.Owner, name: str) -> tuple[t
                         found.setdefault(member, []).append((routine, value))
         code.kept[key] = {item: tuple(values) for item, values in found.items()}
     known: dict[str, tuple[tuple[Routine, Expression], ...]] = code.kept[key]
-    return known.get(name, ())
+    return known
 
 
 def _own_member(code: Codebase, routine: Routine, target: Expression) -> str:
@@ -302,10 +307,10 @@ def _methods_of(code: Codebase, source: Source, name: str) -> list[Routine]:
                         by_owner.setdefault(function.owner, set()).add(other_source.path)
         code.kept[key] = by_owner
     paths: dict[str, set[str]] = code.kept[key]
-    found = []
+    found: list[Routine] = []
     for path in sorted(paths.get(name, ())):
         if path == source.path or (source.separator == "::" and source.path in code.cpp.reach(path)):
-            found += [routine for routine in code.routines(path) if routine.owner == name]
+            found += code.routines_of(path, name)
     return found
 
 

@@ -15,6 +15,7 @@ from haros_ci.follow import (
     converting,
     copies,
     data_classes,
+    decorated_classes,
     expressions,
     guarded,
     members,
@@ -206,7 +207,7 @@ def instance(
     location: Location,
 ) -> Value:
     """A new object of a workspace's class: bases, then members in their order, then the constructor's body."""
-    source, definition = owner
+    source, definition = owner = decorated_classes.in_place_of(walk, owner) if owner[1].decorators else owner
     if source.program.language != "python" and len(arguments) == 1:
         twin = copies.duplicate(walk, owner, arguments[0])
         if twin is not None:

@@ -37,6 +37,8 @@ class Trace:
     roots: set[str] = field(default_factory=set)
     read: dict[str, str] = field(default_factory=dict)
     bodies: set[tuple[str, str]] = field(default_factory=set)
+    #: How many names and bodies of it have been kept, all together.
+    kept: int = 0
     effects: dict[int, tuple[Source, Function, frozenset[str]]] = field(default_factory=dict)
     #: What ``Index.near`` has found, and the names that were looked up in each table.
     near: dict[tuple[object, ...], list[Any]] = field(default_factory=dict, repr=False, compare=False)

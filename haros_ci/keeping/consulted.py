@@ -21,6 +21,8 @@ from haros_ci.records import dataclass, field
 from haros_ci.syntax import Alias, Class, Directive, Field, Function, Program
 from haros_ci.syntax.codec import plain
 
+#: Names and bodies that are kept of one trace, all together: of 20 nodes that consult 5,000 each it is a twentieth.
+MAX_KEPT = 2_000_000
 #: A function by its file, its qualified name and its number among those of that name; and a number for what it changes.
 Effect = tuple[str, str, int, int]
 
@@ -66,8 +68,12 @@ class SourceChange:
 
 
 def small(trace: Trace, relevance: Relevance, view: tuple[str, int, frozenset[str]]) -> Consulted | None:
-    """*trace* as it is kept; None if it is not all that was consulted."""
-    if not trace.is_whole:
+    """*trace* as it is kept; None if it is not all that was consulted, or if too much of it has been kept before.
+
+    A trace grows with each node of the same files: to keep it for each of a thousand would take time and room of their square.
+    """
+    trace.kept += len(trace.names) + len(trace.bodies)
+    if not trace.is_whole or trace.kept > MAX_KEPT:
         return None
     effects = tuple(_effects(trace))
     known = [effect for effect in effects if effect is not None]

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import ast
+from functools import lru_cache
 
 from haros_ci.linters.bodies import own_nodes
 from haros_ci.linters.pylint_idioms import nodes
@@ -41,15 +42,19 @@ def is_deleted_global(text: str, line: int, column: int) -> bool:
     Pylint takes such a name for undefined in all functions: which of them has run before, it does not know.
     """
     used = _NAME.match(text.split("\n")[line - 1], column) if 0 < line <= text.count("\n") + 1 else None
-    if used is None:
-        return False
-    name, is_set, is_deleted = used[0], False, False
+    return used is not None and used[0] in _deleted_globals(text)
+
+
+@lru_cache(maxsize=4)
+def _deleted_globals(text: str) -> frozenset[str]:
+    """The global names that functions set, and those that they delete, too."""
+    were_set: set[str] = set()
+    deleted: set[str] = set()
     for function in nodes(text):
-        if not isinstance(function, ast.FunctionDef | ast.AsyncFunctionDef):
-            continue
-        own = [*own_nodes(ast.iter_child_nodes(function))]
-        if any(isinstance(node, ast.Global) and name in node.names for node in own):
-            uses = [node.ctx for node in own if isinstance(node, ast.Name) and node.id == name]
-            is_set = is_set or any(isinstance(use, ast.Store) for use in uses)
-            is_deleted = is_deleted or any(isinstance(use, ast.Del) for use in uses)
-    return is_set and is_deleted
+        if isinstance(function, ast.FunctionDef | ast.AsyncFunctionDef):
+            own = [*own_nodes(ast.iter_child_nodes(function))]
+            stated = {name for node in own if isinstance(node, ast.Global) for name in node.names}
+            for use in own if stated else ():
+                if isinstance(use, ast.Name) and use.id in stated and not isinstance(use.ctx, ast.Load):
+                    (were_set if isinstance(use.ctx, ast.Store) else deleted).add(use.id)
+    return frozenset(were_set & deleted)

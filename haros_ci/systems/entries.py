@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import posixpath
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
 from haros_ci import syntax
@@ -13,7 +13,7 @@ from haros_ci.index.index import Index, Source, aliased, is_test
 from haros_ci.index.plugins import PluginDescription, written_type
 from haros_ci.index.types import resolve_type
 from haros_ci.model.build import Build, PluginClass, Target
-from haros_ci.records import dataclass
+from haros_ci.records import dataclass, field
 from haros_ci.syntax import Argument, Class
 
 #: The base class that a plug-in needs to be a nodelet.
@@ -21,6 +21,8 @@ NODELET = "nodelet::Nodelet"
 
 #: Targets by name, and by package and name.
 Linkable = tuple[dict[str, Target], dict[str, dict[str, Target]]]
+#: A class that a plug-in description names, with its definition and the files of its library.
+Described = tuple[PluginClass, Source, Class, frozenset[str]]
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,6 +33,10 @@ class Programs:
     python: Index
     sources: Mapping[str, Source]
     builds: Mapping[str, Build]
+    #: Once they have been found: the classes that plug-in descriptions name, what can be linked, the files of targets by their identity.
+    described: list[Described] = field(default_factory=list, init=False, repr=False, compare=False)
+    linkable: list[Linkable] = field(default_factory=list, init=False, repr=False, compare=False)
+    made_of: dict[int, frozenset[str]] = field(default_factory=dict, init=False, repr=False, compare=False)
 
     def index_of(self, entry: Entry) -> Index:
         return self.python if entry.source.program.language == "python" else self.cpp
@@ -42,12 +48,11 @@ def executables(programs: Programs, *, tests: bool = False) -> dict[tuple[str, s
     Those that are built for tests only come with *tests*, and the names in the source space of scripts that are installed under others.
     """
     found: dict[tuple[str, str], tuple[Entry, frozenset[str]]] = {}
-    named = linkable(programs)
     for package, build in sorted(programs.builds.items()):
         for target in build.targets:
             if target.kind != "executable" or (target.is_test and not tests):
                 continue
-            files = files_of(programs, target, named)
+            files = files_of(programs, target)
             entry = main_of(programs, target)
             if entry is not None:
                 entry = of_target(programs, entry, target)
@@ -149,13 +154,23 @@ def plugin_files(programs: Programs) -> list[tuple[str, frozenset[str]]]:
     ]
 
 
-def described_classes(programs: Programs) -> Iterator[tuple[PluginClass, Source, Class, frozenset[str]]]:
-    """Each described class with its definition and the files of its library."""
+def described_classes(programs: Programs) -> Sequence[Described]:
+    """Each described class with its definition and the files of its library; found once."""
+    if not programs.described:
+        programs.described.extend(_described_classes(programs))
+    return programs.described
+
+
+def _described_classes(programs: Programs) -> Iterator[Described]:
     for _, build in sorted(programs.builds.items()):
+        libraries: dict[str, Target] = {}
+        for target in build.targets if build.plugins else ():
+            if target.kind == "library":
+                for name in (target.output, target.name):
+                    libraries.setdefault(name, target)
         for plugin in build.plugins:
-            library = posixpath.basename(plugin.library).removeprefix("lib")
-            targets = [t for t in build.targets if t.kind == "library" and library in (t.output, t.name)]
-            files = files_of(programs, targets[0]) if targets else frozenset[str]()
+            library = libraries.get(posixpath.basename(plugin.library).removeprefix("lib"))
+            files = files_of(programs, library) if library is not None else frozenset[str]()
             name = plugin.type.strip().partition("<")[0]
             name = name if name in programs.cpp.classes else aliased(programs.cpp, name) or name
             candidates = [item for item in programs.cpp.classes.get(name, ()) if item[1].bases or item[1].fields]
@@ -185,11 +200,19 @@ def _included(programs: Programs, plugin: PluginClass, files: frozenset[str]) ->
     return frozenset(path for source in registering or sources for path in programs.cpp.reach(source.path))
 
 
-def files_of(programs: Programs, target: Target, named: Linkable | None = None) -> frozenset[str]:
-    """The sources of a target and of all workspace libraries that it links, transitively; *named* is ``linkable``, made once for many."""
+def files_of(programs: Programs, target: Target) -> frozenset[str]:
+    """The sources of a *target* of the builds and of all workspace libraries that it links, transitively; found once."""
+    if id(target) not in programs.made_of:
+        programs.made_of[id(target)] = _files_of(programs, target)
+    return programs.made_of[id(target)]
+
+
+def _files_of(programs: Programs, target: Target) -> frozenset[str]:
     if not target.links:
         return frozenset((*target.sources, *target.conditional_sources))
-    by_name, in_packages = named or linkable(programs)
+    if not programs.linkable:
+        programs.linkable.append(_linkable(programs))
+    by_name, in_packages = programs.linkable[0]
     local = in_packages.get(target.package, {})
     files: set[str] = set()
     seen: set[str] = set()
@@ -214,7 +237,7 @@ def of_target(programs: Programs, entry: Entry, target: Target) -> Entry:
     return replace(entry, target=name) if any(len(ways) > 1 for ways in every) else entry
 
 
-def linkable(programs: Programs) -> Linkable:
+def _linkable(programs: Programs) -> Linkable:
     """What can be linked by name: from anywhere, and within each package."""
     every = [t for build in programs.builds.values() for t in build.targets if t.kind != "executable"]
     by_name = {t.name: t for t in every} | {f"{t.package}::{t.name}": t for t in every}

@@ -29,7 +29,7 @@ from haros_ci.model.workspace import Problem
 from haros_ci.records import dataclass
 from haros_ci.syntax import Class, Function
 from haros_ci.systems import ros2_system
-from haros_ci.systems.entries import Programs, files_of, linkable
+from haros_ci.systems.entries import Programs, files_of
 from haros_ci.systems.following import Instance, Types, incomplete, run_node
 from haros_ci.systems.ros2_processes import Started
 from haros_ci.systems.ros2_system import PLUGINS, size_of
@@ -87,14 +87,13 @@ def built(programs: Programs) -> dict[str, list[GazeboPlugin]]:
     found: dict[str, list[GazeboPlugin]] = {}
     if not registering:
         return found
-    named = linkable(programs)
     for package, build in sorted(programs.builds.items()):
         for target in build.targets:
             if target.kind != "library" or target.is_test:
                 continue
             own = {*target.sources, *target.conditional_sources} & programs.sources.keys()
             places = registering & own.union(*(programs.cpp.reach(path) for path in own))
-            files = files_of(programs, target, named) if places else frozenset[str]()
+            files = files_of(programs, target) if places else frozenset[str]()
             for path in sorted(places):
                 found.setdefault(target.output, []).extend(_of(programs, package, target, path, files))
     return found

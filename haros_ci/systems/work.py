@@ -66,9 +66,10 @@ class Work:
         self.here, self.so_far = {}, (-1, 0)
         tasks = [partial(self._done, place, jobs[number]) for place, number in enumerate(order)]
         done = dict(zip(order, self.share(tasks, [jobs[number].group for number in order]), strict=True))
-        for number in order:
-            for entry, steps in done[number].counted.items():  # of other processes, too
+        for counted in {id(one.counted): one.counted for one in done.values()}.values():  # one of each process
+            for entry, steps in counted.items() if counted is not self.types.counted else ():
                 self.types.counted.setdefault(entry, {}).update(steps)
+        for number in order:
             if self.is_over and jobs[number].group is not None:
                 done[number] = replace(done[number], result=_left_out(jobs[number]))
             else:

@@ -287,3 +287,17 @@ def test_the_same_is_said_of_a_place_once(second: Finding, count: int) -> None:
     check = replace(MEET, run=None, project=lambda project: iter((first, second)))
     found = run_on_project((check,), EMPTY, "haros-ci").results
     assert len(found) == count and found[0].subject == ("one",)
+
+
+def test_the_time_of_a_check_is_taken_once_for_all_systems(monkeypatch: pytest.MonkeyPatch) -> None:
+    begun: list[str] = []
+    taken = patience.Patience.with_
+
+    def counting(self: patience.Patience, name: str) -> object:
+        begun.append(name)
+        return taken(self, name)
+
+    monkeypatch.setattr(patience.Patience, "with_", counting)
+    checked = run_checks([MEET], [system(TALKER, LISTENER, name=f"s{number}") for number in range(50)], "tool")
+    assert len(checked.results) == 1
+    assert begun == ["meet"]

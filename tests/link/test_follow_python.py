@@ -559,10 +559,6 @@ DEFECTS = (
         "any object is true, whatever its __len__ or __bool__ says (statements.truth)",
     )
     | because(
-        "what finally says comes after the try, also where that returns (extract/python statements)",
-        "return in finally",
-    )
-    | because(
         "callbacks are not thought to run before the end of main (follow._call_back)",
     )
 )

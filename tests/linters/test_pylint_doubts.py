@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import pytest
 
+from haros_ci.linters import pylint_names
 from haros_ci.linters.noqa import is_silenced
 from haros_ci.linters.pylint_doubts import is_refuted
 from haros_ci.linters.pylint_statements import is_made_by_hand
@@ -722,3 +723,18 @@ def test_a_key_that_the_dictionary_has(made: str, change: str, expected: bool) -
     text = ALL.replace("had = {}", f"had = {made}").replace("        {}", f"        {change}")
     line = next(number for number, part in enumerate(text.split("\n"), 1) if part.strip() == change)
     assert is_refuted("modified-iterating-dict", line, 8, text) is expected
+
+
+def test_functions_are_looked_through_once_for_all_names(monkeypatch: pytest.MonkeyPatch) -> None:
+    text = "".join(f"def f{number}():\n    return missing\n\n" for number in range(30))
+    walked = 0
+
+    def counting(*arguments: object) -> object:
+        nonlocal walked
+        walked += 1
+        return before(*arguments)  # type: ignore[arg-type]
+
+    before = pylint_names.own_nodes
+    monkeypatch.setattr(pylint_names, "own_nodes", counting)
+    assert not any(pylint_names.is_deleted_global(text, 3 * number + 2, 11) for number in range(30))
+    assert walked == 30

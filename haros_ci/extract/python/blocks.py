@@ -4,7 +4,8 @@
 from __future__ import annotations
 
 import ast
-from typing import Protocol
+import copy
+from typing import Any, Protocol
 
 from haros_ci import syntax
 from haros_ci.extract.python.imports import imported
@@ -55,3 +56,36 @@ def bound_again(node: Tried, scope: PythonScope) -> Block:
     }
     found = [pair for one in node.body if isinstance(one, (ast.Import, ast.ImportFrom)) for pair in imported(one)]
     return tuple([syntax.Import(name, target) for name, target in found if name in names])
+
+
+def left_by_finally(node: Tried) -> Tried | None:
+    """*node* without what ``finally`` says and with ``raise`` for ``return``, where ``finally`` returns something: that counts, and no exception leaves it.
+
+    docs.python.org/3/reference/compound_stmts.html, the try statement. None where it returns nothing, or under a condition.
+    """
+    if not any(isinstance(statement, ast.Return) for statement in node.finalbody):
+        return None
+    left: Any = copy.copy(node)
+    left.finalbody = []
+    left.body, left.orelse, left.handlers = (
+        [_Raising().visit(copy.deepcopy(item)) for item in items] for items in (node.body, node.orelse, node.handlers)
+    )
+    for name in ("body", "orelse"):
+        setattr(
+            left, name, [one for item in getattr(left, name) for one in (item if isinstance(item, list) else [item])]
+        )
+    made: Tried = left
+    return made
+
+
+class _Raising(ast.NodeTransformer):
+    """Puts ``raise`` in the place of each ``return`` of a function itself."""
+
+    def visit_Return(self, node: ast.Return) -> list[ast.stmt]:
+        leaving = ast.copy_location(ast.Raise(exc=None, cause=None), node)
+        return [leaving] if node.value is None else [ast.copy_location(ast.Expr(node.value), node), leaving]
+
+    def _keep(self, node: ast.AST) -> ast.AST:
+        return node
+
+    visit_FunctionDef = visit_AsyncFunctionDef = visit_ClassDef = visit_Lambda = _keep

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import posixpath
 import re
+from collections import Counter
 from collections.abc import Mapping
 from dataclasses import replace
 from itertools import islice
@@ -67,8 +68,8 @@ class Finder:
         self.directories = frozenset(directories)
         self.absent = absent(self.workspace)
         self.written = {made.path: made for build in self.builds.values() for made in build.written}
-        every = [package.name for package in self.workspace.packages]
-        self._doubled = frozenset(name for name in every if every.count(name) > 1)
+        every = Counter(package.name for package in self.workspace.packages)
+        self._doubled = frozenset(name for name, count in every.items() if count > 1)
 
     def completed(self, use: FileUse) -> FileUse:
         """*use* with its owner, and whether it is found."""

@@ -79,15 +79,15 @@ def finished(context: Context, statics: Statics) -> tuple[LaunchFact, ...]:
     """All facts in launch order; of arguments it is known by now whether they are used, of reads what may be meant."""
     facts = context.facts
     found: list[LaunchFact] = []
-    for declaration, path in facts.declared.items():
+    for declaration, path in facts.declared.values():
         name = declaration.name
         used = True if name in facts.read else statics.is_used(name, path)
         if used is False and declaration.included and facts.is_open:
             used = None
         found.append(replace(declaration, is_used=used))
-    known = sorted({declaration.name for declaration in facts.declared} | set(facts.values))[:MAX_KNOWN]
+    known = sorted({declaration.name for declaration, _ in facts.declared.values()} | set(facts.values))[:MAX_KNOWN]
     reads = 0
-    for fact in facts.found:
+    for fact in facts.found.values():
         if isinstance(fact, ArgumentRead) and reads < MAX_READS:
             reads += 1
             others = [name for name in known if name != fact.name]

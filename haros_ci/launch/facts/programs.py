@@ -61,6 +61,8 @@ class Programs:
             return None, (), False  # the package of this name for the other ROS, which is another one
         if use.kind == "executable" and (called := self._is_not_made(use, build, start)) is not None:
             return False, called, False
+        if use.kind == "executable" and use.ros == 2 and (called := self._are_names_of(use, build, start)):
+            return False, called, False
         if (use.package, use.program) in self.known or (use.kind == "nodelet" and self._is_described(use.program)):
             return True, (), False
         names = self._classes(build, use) if use.kind != "executable" else build.programs()
@@ -91,6 +93,23 @@ class Programs:
         output = f"{target.prefix}{target.output or target.name}{target.suffix}"
         is_other = use.program != output and is_called_otherwise(text, use.program)
         return (output,) if is_other else None
+
+    def _are_names_of(self, use: ProgramUse, build: Build, start: str) -> tuple[str, ...]:
+        """The names under which a script of this name is installed, where it is installed under others only (``RENAME``); else ()."""
+        programs = [one for one in build.installed if one.kind == "program"]
+        own = [one for one in programs if posixpath.basename(one.path) == use.program]
+        names = {one.name for one in own}
+        others = {one.name or posixpath.basename(one.path) for one in programs} | {e.name for e in build.entry_points}
+        others |= {name for target in build.targets for name in (target.name, target.output)}
+        if not names or use.program in others or self.finder.steps < 0 or self.finder.is_doubled(use.package):
+            return ()
+        if any(one.kind == "directory" and one.destination.startswith("lib") for one in build.installed):
+            return ()
+        text = self.finder.script(use.package, start)
+        if text.count(use.program) > len(own):  # something else is done with it
+            return ()
+        makers = (match[1].lower() for match in _MAKERS.finditer(text))
+        return () if any(maker not in _KNOWN_MAKERS for maker in makers) else tuple(sorted(names))
 
     def _is_described(self, name: str) -> bool:
         """Whether some package describes a nodelet of this look-up name: what stands before the slash need not be that package (pluginlib)."""

@@ -8,7 +8,6 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from haros_ci.launch.facts.conditions import comparisons, is_constant, written
-from haros_ci.launch.facts.record import MAX_FACTS
 from haros_ci.launch.facts.texts import (
     absolute_paths,
     is_file_name,
@@ -101,8 +100,7 @@ def declared(context: Context, action: Action, name: str, default: Text | None) 
         choices=choices,
         is_top=not context.included,
     )
-    if len(context.facts.declared) < MAX_FACTS:
-        context.facts.declared.setdefault(fact, context.path)
+    context.facts.declare(fact, context.path)
 
 
 def read(context: Context, part: Substitution) -> None:

@@ -88,7 +88,7 @@ def evaluate(
         problems=(*state.problems, *_assumed_problems(state)),
         alternatives=tuple(state.alternatives),
         alternative_parameters=tuple(state.alternative_parameters),
-        facts=tuple(state.facts.found),
+        facts=tuple(state.facts.found.values()),
     )
     take(memo, budget - max(state.budget, 0) + spare - max(state.spare, 0))
     if memo is not None:
@@ -202,7 +202,7 @@ def _include(state: RoslaunchState, scope: LoaderScope, tag: LaunchElement, cond
         unset=dict(scope.unset) if pass_all else {},
         overrides_allowed=pass_all is True,
         included_at=location(scope, tag),
-        includes=(*scope.includes, location(scope, tag)),
+        includes=state.facts.chain(scope.includes, location(scope, tag)),
     )
     place = state.files.place(needed[0])
     if place.path is not None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import posixpath
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Iterable, Mapping
 
 from haros_ci.launch.facts.memory import LaunchMemory, Memo
 from haros_ci.launch.ros2.evaluate import launch_system
@@ -13,11 +13,14 @@ from haros_ci.launch.ros2.places import Places
 from haros_ci.model.launch_actions import Description
 from haros_ci.model.loose_launches import is_loose_launch
 from haros_ci.model.workspace import Workspace
+from haros_ci.regex import regex
 from haros_ci.timing import timed
 
 _NAMES = tuple(f"{mark}launch.{kind}" for mark in (".", "_") for kind in ("xml", "yaml", "yml", "py"))
 #: What ``ros2 launch`` and launch_testing ask a Python file for.
 _ENTRIES = ("generate_launch_description", "generate_test_description")
+_IMPORT = regex(r"^[ \t]*(?:from|import)[ \t]([^\n#]*)", re.MULTILINE)
+_WORD = regex(r"\w+")
 
 
 @timed("launch")
@@ -55,12 +58,14 @@ def entry_files(
     kept = memo if memo is not None else LaunchMemory()
     included: set[str] = set()
     entries: list[str] = []
+    loose_ones, every = frozenset(loose), frozenset((*found, *loose))
+    imported = _imported(every, workspace)
     for path in (*found, *loose):
-        if load(path) is None or _is_module(path, [*found, *loose], workspace):
+        if load(path) is None or _is_module(path, imported, workspace):
             continue
         entries.append(path)
         system = launch_system((path,), workspace, load, {}, environment or {}, places, kept)
-        own = set(loose) if path in loose else {*found, *loose}
+        own = loose_ones if path in loose_ones else every
         included.update(other for other in system.includes if other != path and other in own)
     return tuple(sorted(path for path in entries if path not in included))
 
@@ -69,13 +74,26 @@ def _describes(description: Description | None) -> bool:
     return description is not None and any(action.kind != "?" for action in description.actions)
 
 
-def _is_module(path: str, found: list[str], workspace: Workspace) -> bool:
-    """Whether the file at *path* has functions for others of *found* and no description: ``from robot.common_launch import arguments``."""
+def _imported(paths: Iterable[str], workspace: Workspace) -> Mapping[str, Collection[str]]:
+    """By each word of an import in the Python files of *paths* the files that have it there."""
+    found: dict[str, set[str]] = {}
+    for path in paths:
+        if path.endswith(".py"):
+            for match in _IMPORT.finditer(workspace.text(path)):
+                for word in _WORD.findall(match[1]):
+                    found.setdefault(word, set()).add(path)
+    return found
+
+
+def _is_module(path: str, imported: Mapping[str, Collection[str]], workspace: Workspace) -> bool:
+    """Whether the file at *path* has functions for others and no description: ``from robot.common_launch import arguments``.
+
+    *imported* are words of imports with the files that have them.
+    """
     stem = posixpath.basename(path).removesuffix(".py")
     if not path.endswith(".py") or not stem.isidentifier() or any(name in workspace.text(path) for name in _ENTRIES):
         return False
-    imported = re.compile(rf"^[ \t]*(?:from[ \t][^\n#]*|import[ \t][^\n#]*)\b{stem}\b", re.MULTILINE)
-    return any(imported.search(workspace.text(other)) for other in found if other != path and other.endswith(".py"))
+    return any(other != path for other in imported.get(stem, ()))
 
 
 def named_as_tests(workspace: Workspace, is_ros2: Callable[[str], bool]) -> tuple[str, ...]:

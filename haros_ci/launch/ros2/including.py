@@ -15,11 +15,14 @@ from haros_ci.substitutions.names import MARK, quoted, unknown
 if TYPE_CHECKING:
     from haros_ci.launch.ros2.run import LaunchEvaluation
 
+#: What an include costs beside its actions; 300 of them are many for one launch.
+STEPS = 100
+
 
 def include(run: LaunchEvaluation, action: Action, conditions: tuple[Condition, ...]) -> None:
     """IncludeLaunchDescription: perform the file in the scope that it is included in."""
     context = run.context
-    context.spend(50 + len(context.scope.configurations) // 4)
+    context.spend(STEPS + len(context.scope.configurations) // 4)
     phrase = action.get("file")
     file = context.text(phrase) if phrase is not None else unknown("no file is named")
     passed = [(context.text(name), value) for name, value in action.arguments]
@@ -58,7 +61,7 @@ def include(run: LaunchEvaluation, action: Action, conditions: tuple[Condition, 
     missing = _missing(context, action, place.path, found, {name.raw for name, _ in passed})
     statics = includes.statics_of(run.load, context.places)
     includes.followed(context, action, statics, file, place.path, (name for name, _ in passed), missing)
-    outer, context.included = context.included, (*context.included, action.location)
+    outer, context.included = context.included, context.facts.chain(context.included, action.location)
     run.inside(place.path, found.actions, conditions)
     context.included = outer
 

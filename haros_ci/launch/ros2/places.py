@@ -17,6 +17,8 @@ from haros_ci.substitutions.files import Files, Place, files_of
 from haros_ci.substitutions.names import Text, quoted
 
 _START = regex(r"\$\((find-pkg-share|find-pkg-prefix|workspace) ([^\s()]+)\)(.*)\Z", re.DOTALL)
+#: How many paths are remembered with what they lead to.
+MAX_FOUND = 10_000
 
 
 @dataclass(slots=True)
@@ -37,6 +39,8 @@ class Places:
     written: dict[tuple[str, tuple[str, ...]], tuple[Any, Location]] = field(
         default_factory=dict, init=False, repr=False, compare=False
     )
+    #: What paths lead to, by their texts.
+    found: dict[str, Place] = field(default_factory=dict, init=False, repr=False, compare=False)
     #: What else is remembered of files, by what it is and their paths.
     remembered: dict[tuple[str, str], Any] = field(default_factory=dict, init=False, repr=False, compare=False)
 
@@ -49,6 +53,13 @@ class Places:
         Paths begin with ``$(find-pkg-share pkg)``, ``$(find-pkg-prefix pkg)`` or ``$(workspace dir)``; nothing outside
         of the workspace is ever looked at.
         """
+        if text not in self.found:
+            if len(self.found) >= MAX_FOUND:
+                self.found.clear()
+            self.found[text] = self._find(text)
+        return self.found[text]
+
+    def _find(self, text: str) -> Place:
         match = _START.match(text)
         if match is None:
             if text.startswith(("/", "~", "file:")):

@@ -31,6 +31,7 @@ MAX_DEPTH = 80
 MAX_EVENTS = 1_000
 #: How many assumptions about launch arguments are made inside one another.
 MAX_ASSUMPTIONS = 3
+SHUT_DOWN = "launch is shut down here as soon as it has begun, whatever it has started; shut it down when something has happened"
 _Conditions = tuple[Condition, ...]
 
 
@@ -155,6 +156,8 @@ class LaunchEvaluation:
                 reason = action.reason or f"an action '{action.kind}'"
                 self.context.problem(action.location, f"what this does is not known: {reason}")
                 self.context.facts.is_open = True
+            elif action.kind == "shutdown" and not conditions and not undecided:
+                self.context.problem(action.location, SHUT_DOWN)
             return
         ros2.constructs(self.context, action)
         if not undecided:
