@@ -29,6 +29,9 @@ _TOP = regex(
     r"readme(?:[._-]\w{1,10}){0,2}|cmakelists\.txt|setup\.py|pyproject\.toml|makefile|configure(?:\.ac)?",
     re.IGNORECASE,
 )
+#: Where a Python project says who writes it, and how.
+_MANIFESTS = ("setup.py", "setup.cfg", "pyproject.toml")
+_AUTHOR = regex(r"\bauthors?\b[ \t]*=[ \t\[{(]*(?:name[ \t]*=[ \t]*)?([^\n]{1,200})")
 #: Who owns the texts of licences, and what templates of licences have in the place of an owner.
 _OF_LICENCES = regex(r"\s*(?:(?:the )?(?:free|apache) software foundation|[\[{]|your? )", re.IGNORECASE)
 
@@ -38,7 +41,8 @@ def foreign_projects(workspace: Workspace, people: Mapping[str, frozenset[str]])
 
     Such a directory has a licence, and a README or a file of a build, at its top, and no package in it or around it. Hardly anything in it
     uses ROS. Its owner, as the licence says, or else the first comments of its code, is named by no manifest (*people* are theirs, by the
-    directory of the package), by no licence around it, and by no first comment of the packages' code. Where manifests name nobody there is none.
+    directory of the package), by no licence around it, and by no first comment of the packages' code. Where manifests name nobody there is none,
+    nor where a manifest of Python at its top names somebody else than its owner as the author.
     """
     licences = _licences(workspace) if any(people.values()) else {}
     inside: dict[str, list[SourceFile]] = {directory: [] for directory in _candidates(workspace, licences)}
@@ -53,7 +57,7 @@ def foreign_projects(workspace: Workspace, people: Mapping[str, frozenset[str]])
         owners = _named(_texts(workspace, licences[directory])) or _named(_heads(workspace, files))
         above = (name for outer in _around(directory) for name in licences.get(outer, ()))
         if files and owners and owners.isdisjoint(own | _named(_texts(workspace, above))):
-            if not _is_of_ros(workspace, files):
+            if not _is_of_ros(workspace, files) and not _is_by_another(workspace, directory, owners):
                 found.add(directory)
     return frozenset(found)
 
@@ -114,6 +118,15 @@ def _heads(workspace: Workspace, files: Iterable[SourceFile]) -> Iterator[str]:
             if number > _MOST_FILES:
                 return
             yield leading_comment(file.language, workspace.text(file.path)[:_MOST].encode("utf-8", "replace"))
+
+
+def _is_by_another(workspace: Workspace, directory: str, owners: frozenset[str]) -> bool:
+    """Whether a manifest of Python at the top of *directory* names an author who is none of its *owners*: somebody goes on with their work."""
+    for name in _MANIFESTS:
+        author = _AUTHOR.search(workspace.text(f"{directory}/{name}"))
+        if author is not None and words(author[1]) and owners.isdisjoint(words(author[1])):
+            return True
+    return False
 
 
 def _is_of_ros(workspace: Workspace, files: Sequence[SourceFile]) -> bool:

@@ -30,6 +30,8 @@ FIRES = [
     {**of_licence(GPL), "src/solver/lib/a.cpp": HEAD},
     {**of_licence("Apache License\nCopyright [yyyy] [name of copyright owner]\n"), "src/solver/lib/a.cpp": HEAD},
     {**OWN, **SOLVER, "LICENSE": LICENCE.replace("Grete Stromberg", "Ada Lovage")},
+    {**OWN, **SOLVER, "src/solver/setup.py": "setup(name='solver', author='G. Stromberg', version='1.0')\n"},
+    {**OWN, **SOLVER, "src/solver/setup.cfg": "[metadata]\nname = solver\n"},
     {**OWN, **SOLVER, "src/solver/deps/more/LICENSE": LICENCE, "src/solver/deps/more/README": ""},
     {
         **OWN,
@@ -51,6 +53,9 @@ QUIET = [
     {**OWN, **SOLVER, "src/solver/package.xml": MANIFEST.format(ADA).replace("demo", "solver")},
     {**OWN, **SOLVER, "src/solver/lib/a.cpp": '#include "rclcpp/rclcpp.hpp"\n'},
     {**OWN, **SOLVER, "src/solver/lib/a.py": "from std_msgs.msg import String\n"},
+    {**OWN, **SOLVER, "src/solver/setup.py": "setup(name='solver', author='Someone Else', version='1.0')\n"},
+    {**OWN, **SOLVER, "src/solver/setup.cfg": "[metadata]\nauthor = Someone Else\n"},
+    {**OWN, **SOLVER, "src/solver/pyproject.toml": '[project]\nauthors = [{name = "Someone Else"}]\n'},
     of_licence(GPL),
     of_licence("Do what you like.\n"),
     of_licence("Copyright (c) 2020 The Authors\n"),
