@@ -62,6 +62,23 @@ FUNCTIONS = {
     "BENCHMARK_TEMPLATE_F(fixture, name, ...)": "void fixture##_##name",
 }
 
+#: Macros of ros2_shared for parameters of nodes, of which each file makes lists (github.com/ptrmu/ros2_shared, context_macros.hpp).
+CONTEXTS = {
+    "CXT_MACRO_DEFINE_MEMBERS(all)": "all",
+    "CXT_MACRO_DEFINE_MEMBER(n, t, d)": "t n##_{d};",
+    "CXT_MACRO_LOAD_PARAMETER(node, context, n, t, d)": "context.n##_ = node.declare_parameter(#n, context.n##_);",
+    "CXT_MACRO_INIT_PARAMETERS(all, validate)": "all validate();",
+    "CXT_MACRO_SET_PARAMETER(node, context, n, d)": "context.n##_ = d",
+    **dict.fromkeys(
+        (
+            "CXT_MACRO_PARAMETER_CHANGED(...)",
+            "CXT_MACRO_REGISTER_PARAMETERS_CHANGED(...)",
+            "CXT_MACRO_LOG_PARAMETER(...)",
+        ),
+        "",
+    ),
+}
+
 #: Macros of Python's C API that return from the function (docs.python.org, "C API").
 RETURNS = {
     "Py_RETURN_NONE": "return Py_None",
@@ -281,6 +298,7 @@ def _defines() -> Iterable[tuple[str, str]]:
     yield from ((f"{name}(...)", "0") for name in VERSION_NUMBERS)
     yield from (
         *FUNCTIONS.items(),
+        *CONTEXTS.items(),
         *LIMITS.items(),
         *PLATFORM.items(),
         *RETURNS.items(),

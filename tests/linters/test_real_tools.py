@@ -179,6 +179,11 @@ MACROS = [
     "void f(V v) { BOOST_FOREACH(int a, v) { g(a); } }\n",
     "BT_REGISTER_NODES(factory) { factory.add(); }\n",
     "BT_JSON_CONVERTER(ns::Point, msg) { add(msg.x); }\n",
+    '#define ALL \\\n CXT_MACRO_MEMBER(port, int, 8890) \\\n CXT_MACRO_MEMBER( /* a file */ \\\n path, \\\n std::string, "a.yaml") \\\n /* end */\n'
+    "struct C {\n#undef CXT_MACRO_MEMBER\n#define CXT_MACRO_MEMBER(n, t, d) CXT_MACRO_DEFINE_MEMBER(n, t, d)\n CXT_MACRO_DEFINE_MEMBERS(ALL)\n};\n"
+    "void f(rclcpp::Node & node, C & c) {\n#undef CXT_MACRO_MEMBER\n#define CXT_MACRO_MEMBER(n, t, d) CXT_MACRO_LOAD_PARAMETER(node, c, n, t, d)\n"
+    " CXT_MACRO_INIT_PARAMETERS(ALL, g)\n#undef CXT_MACRO_MEMBER\n#define CXT_MACRO_MEMBER(n, t, d) CXT_MACRO_PARAMETER_CHANGED(c, n, t)\n"
+    " CXT_MACRO_REGISTER_PARAMETERS_CHANGED(node, ALL, g)\n CXT_MACRO_SET_PARAMETER(node, c, port, 0);\n}\n",
     "struct P { PCL_ADD_POINT4D; EIGEN_MAKE_ALIGNED_OPERATOR_NEW };\n",
     # a value whose name ends as that of a decoration does
     "bool f(int d) { if (d == RMW_QOS_POLICY_DURABILITY_TRANSIENT_LOCAL) { return true; } return false; }\n",
