@@ -8,13 +8,13 @@ from dataclasses import replace
 from posixpath import basename
 
 from haros_ci.checking.check import Finding
+from haros_ci.model.former_names import is_archived
 from haros_ci.model.workspace import Workspace
 from haros_ci.regex import regex
 from haros_ci.results.rule import Level
 
-_ARCHIVES = frozenset(
-    "archive archived archives attic backup backups deprecated graveyard legacy obsolete old temp tmp trash unused".split()
-)
+#: Directories of what was there for a while.
+_PASSING = frozenset(("temp", "tmp"))
 #: What file managers call a copy: ``Copy of drive.launch``, ``drive (copy).launch``, ``drive (2).launch``.
 _COPY = regex(r"(?:copy of .+|[^.]+ ?\((?:copy|\d{1,3})\).*|[^.]+[ _-]+copy(?:[ _-]?\d{1,3})?\..+)", re.IGNORECASE)
 #: A version that somebody has kept beside ``drive.launch.py``: ``drive_old.launch.py``, ``drive.launch.backup2.py``, ``old_drive.launch.py``.
@@ -41,7 +41,7 @@ def lowered(finding: Finding, workspace: Workspace | None) -> Finding:
         return finding
     if _is_named(path, workspace):
         return finding
-    folder = next((f" outside of {part}" for part in path.split("/")[:-1] if part.lower() in _ARCHIVES), "")
+    folder = next((f" outside of {part}" for part in path.split("/")[:-1] if _is_archive(part)), "")
     message = f"{finding.message.rstrip('. ')} (nothing{folder} names {basename(path)})"
     return replace(finding, level=Level.NOTE, message=message)
 
@@ -53,7 +53,11 @@ def is_copy_by_name(path: str) -> bool:
 
 def _is_archived(path: str) -> bool:
     *folders, name = path.split("/")
-    return any(part.lower() in _ARCHIVES for part in folders) or is_copy_by_name(name)
+    return any(map(_is_archive, folders)) or is_copy_by_name(name)
+
+
+def _is_archive(folder: str) -> bool:
+    return folder.lower() in _PASSING or is_archived(f"{folder}/")
 
 
 def _is_former(path: str, workspace: Workspace) -> bool:

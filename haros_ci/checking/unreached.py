@@ -10,14 +10,12 @@ from posixpath import basename, dirname, splitext
 from haros_ci.checking.imports import imported_words, reached_from
 from haros_ci.checking.project import ProjectPackage
 from haros_ci.checking.unstarted import is_unstarted
+from haros_ci.model.former_names import is_archived
 from haros_ci.model.launch_facts import ProgramUse
 from haros_ci.regex import regex
 
-#: Directories of what is kept, and no more in use or not yet.
-_ASIDE = regex(
-    r"(?:old|older|prototypes?|deprecated|attic|obsolete|unused|archived?|legacy|backups?|graveyard|experiments?)",
-    re.IGNORECASE,
-)
+#: Directories of what is not in use yet, beside those of what is no longer.
+_ASIDE = regex(r"(?:older|prototypes?|experiments?)", re.IGNORECASE)
 #: Of a package with more files nothing is said.
 _MOST_FILES = 5_000
 
@@ -54,7 +52,7 @@ def _is_loose(package: ProjectPackage, path: str) -> bool:
     if not path.startswith(package.inside("")):
         return False
     inner = path[len(package.inside("")) :]
-    if any(_ASIDE.fullmatch(part) for part in inner.split("/")[:-1]):
+    if is_archived(inner) or any(_ASIDE.fullmatch(part) for part in inner.split("/")[:-1]):
         return True
     if path in package.build.scripts:
         return False

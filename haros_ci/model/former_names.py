@@ -25,6 +25,11 @@ _FORMER = "deprecated|legacy|obsolete|old|unused"
 _HELD = r"code|files?|launch|modules?|nodes?|ros[12]?|scripts?|src|stuff|versions?|v?\d{1,8}"
 _ARCHIVE_OF = regex(rf"(?:{_FORMER})[_ -]?(?:{_HELD})|(?:{_HELD})[_ -](?:{_FORMER})|(?:former|previous)[_ -]?versions?")
 
+#: Directories whose names say that what they hold is not used: ``not_used``, ``pkg_not_use``, ``no usado``.
+_NOT_USED = regex(
+    r"(?:.*[_ .-])?(?:(?:not|never|don'?t|do[_ -]not)[_ -]?(?:in[_ -])?(?:used?|needed)|un-?used|no[_ -]us(?:ado|ada|ar)|sin[_ -]usar|n[aã]o[_ -]usad[oa])(?:[_ .-].*)?"
+)
+
 
 def superseded(stem: str) -> str:
     """What a file was called of which this one, by its name without its ending, is a former version: ``arm`` for ``arm_old``; "" for others."""
@@ -36,9 +41,16 @@ def is_archived(path: str) -> bool:
     """Whether the file at *path* is in a directory of what is no longer used, by its name."""
     folders = path.rpartition("/")[0].lower().split("/")
     return not _ARCHIVES.isdisjoint(folders) or any(
-        _ARCHIVE_OF.fullmatch(folder) is not None or not _PUT_ASIDE.isdisjoint(re.split(r"[^a-z0-9]+", folder))
+        _ARCHIVE_OF.fullmatch(folder) is not None
+        or not _PUT_ASIDE.isdisjoint(re.split(r"[^a-z0-9]+", folder))
+        or is_not_used(folder)
         for folder in folders
     )
+
+
+def is_not_used(folder: str) -> bool:
+    """Whether the name of a directory says that what it holds is not used: in English, Spanish or Portuguese."""
+    return _NOT_USED.fullmatch(folder.lower()) is not None
 
 
 def mention(path: str, stem: str) -> str:

@@ -6,6 +6,7 @@ from __future__ import annotations
 import re
 from collections.abc import Collection, Iterable, Mapping
 
+from haros_ci.model.former_names import is_not_used
 from haros_ci.regex import regex
 from haros_ci.workspace.library_trees import library_trees, releases
 
@@ -28,7 +29,7 @@ class ThirdParty:
     """Which directories of a workspace hold copies, by the *names* of all its files and its *packages*, directory to name.
 
     A directory does if it is called so (``third_party``), or if it lies inside a package and has a licence of its own: a
-    package has its licence at its root. So does a package whose directory is a backup's by its name, and one that is a release by its name and files, or the tree of a well-known library. A directory that a run is *requested* for, and those around it, are none for that run.
+    package has its licence at its root. So does a package whose directory is a backup's by its name, or lies in one that is not used by its name, and one that is a release by its name and files, or the tree of a well-known library. A directory that a run is *requested* for, and those around it, are none for that run.
     """
 
     def __init__(self, names: Iterable[str], packages: Mapping[str, str], requested: Iterable[str] = ()) -> None:
@@ -36,6 +37,7 @@ class ThirdParty:
         self._licensed = {_directory(name) for name in names if is_licence(name.rpartition("/")[2])}
         self._packages = frozenset(packages)
         self._backups = {directory for directory, name in packages.items() if _is_backup(directory, name)}
+        self._backups |= _not_used(packages)
         self._trees = library_trees(names, packages)
         self._copies = self._trees | releases(names, self._licensed, packages)
         self._known: dict[str, str] = {".": ""}
@@ -80,6 +82,15 @@ def _is_backup(directory: str, package: str) -> bool:
     return found is not None and (
         found[1] == package or (name[-1] in ")]" and name[len(found[1]) :].lstrip()[0] in "([")
     )
+
+
+def _not_used(packages: Iterable[str]) -> set[str]:
+    """The directories around *packages* whose names say that they are not used: ``pkg_not_use``."""
+    around: set[str] = set()
+    for directory in packages:
+        while (directory := _directory(directory)) not in around and directory != ".":
+            around.add(directory)
+    return {directory for directory in around if is_not_used(directory.rpartition("/")[2])}
 
 
 def is_licence(name: str) -> bool:

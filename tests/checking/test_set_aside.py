@@ -27,7 +27,18 @@ def level(files: dict[str, str], tmp_path: Path) -> Level:
 
 
 @pytest.mark.parametrize(
-    "folder", ["launch/deprecated", "launch/old", "old/launch", "launch/Archive/2012", "launch/temp"]
+    "folder",
+    [
+        *("launch/deprecated", "launch/old", "old/launch", "launch/Archive/2012", "launch/temp", "launch/not_used"),
+        *(
+            "launch/Not Used",
+            "not-in-use/launch",
+            "launch/files_not_needed",
+            "launch/no usado",
+            "old_launch",
+            "launch_bak/old",
+        ),
+    ],
 )
 def test_in_an_archive(folder: str, tmp_path: Path) -> None:
     assert level({f"{folder}/drive.launch": BROKEN, "README.md": "# demo\n"}, tmp_path) is Level.NOTE
@@ -57,6 +68,11 @@ def test_a_former_version(name: str, tmp_path: Path) -> None:
         {"launch/drive_old.launch": BROKEN, "launch/drive.launch": "<launch/>\n", "README.md": "roslaunch demo drive_old.launch\n"},
         {"launch/drive_bold.launch": BROKEN, "launch/drive.launch": "<launch/>\n"},
         {"launch/old.launch": BROKEN, "launch/drive.launch": "<launch/>\n"},
+        {"launch/notes/drive.launch": BROKEN},
+        {"launch/used/drive.launch": BROKEN},
+        {"launch/re_used/drive.launch": BROKEN},
+        {"launch/knot_used/drive.launch": BROKEN},
+        {"launch/not_used/drive.launch": BROKEN, "README.md": "roslaunch demo drive.launch\n"},
         {"launch/household.launch": BROKEN, "launch/house.launch": "<launch/>\n"},
         {"launch/older/drive.launch": BROKEN},
         {"launch/copy_files.launch": BROKEN},
