@@ -76,7 +76,7 @@ def drop_unfounded(
             return True
         from haros_ci.linters.star_imports import may_bring
 
-        return may_bring(name[2], text(result.location.path), workspace)
+        return may_bring(name[2], result.location.path, workspace)
 
     return tuple(result for result in found if not is_unfounded(result))
 

@@ -39,6 +39,7 @@ from haros_ci.linters.pylint_statements import (
     is_surplus,
     is_test_for_nan,
     is_text,
+    unbinds,
 )
 from haros_ci.linters.python2 import runs_only_on_python2
 from haros_ci.linters.python_defaults import is_only_read
@@ -107,7 +108,9 @@ _AT_LINE: dict[str, Callable[[str, int], bool]] = {
     "forgotten-debug-statement": is_stop_on_condition,
     "implicit-str-concat": is_one_text,
     "invalid-character-zero-width-space": is_in_description,
-    "modified-iterating-dict": is_of_known_key,
+    "modified-iterating-dict": lambda text, line: unbinds(text, line) or is_of_known_key(text, line),
+    "modified-iterating-list": unbinds,
+    "modified-iterating-set": unbinds,
     "nan-comparison": is_of_nan_itself,
     "no-self-argument": is_class_method,
     "self-assigning-variable": is_one_of_several,

@@ -20,6 +20,7 @@ _PRODUCT = regex(r"\b([A-Za-z_]\w*)[ \t]*=[ \t]*\w+\.(?:inner|vdot)[ \t]*\(")
 _OF_PRODUCT = regex(r"\w+\.(?:inner|vdot)")
 #: Characters of a line that are looked at.
 _LONGEST = 400
+_DEL = regex(r"[ \t]*del[ \t]+\(?\w+(?:[ \t]*,[ \t]*\w+)*\)?;?")
 _NAN = regex(r"\bnan\b", re.IGNORECASE)
 #: A field of ``str.format``; two braces are one of the text.
 _FIELD = regex(r"(?<!\{)(?:\{\{)*\{(?!\{)")
@@ -48,6 +49,12 @@ def has_items(text: str, line: int) -> bool:
     for _ in range(5):
         bare = re.sub(r"[(\[{][^()\[\]{}]*[)\]}]", "", bare)
     return bare.rpartition("=")[2].count(",") > 1
+
+
+def unbinds(text: str, line: int) -> bool:
+    """Whether the statement at *line* is ``del name``: it takes the name away, and leaves what is iterated over as it is."""
+    lines = text.split("\n")
+    return 0 < line <= len(lines) and _DEL.fullmatch(lines[line - 1][:_LONGEST].partition("#")[0].rstrip()) is not None
 
 
 def is_stop_on_condition(text: str, line: int) -> bool:

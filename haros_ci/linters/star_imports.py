@@ -55,8 +55,8 @@ def is_of_unseen(path: str, workspace: Workspace) -> bool:
     return False
 
 
-def may_bring(name: str, text: str, workspace: Workspace) -> bool:
-    """Whether a star import of the module *text* may bring *name*: of modules that make the classes of interfaces it is known what they bring.
+def may_bring(name: str, path: str, workspace: Workspace) -> bool:
+    """Whether a star import of the module at *path* may bring *name*: of modules that make the classes of interfaces it is known what they bring.
 
     These are the interfaces themselves, and what the generated modules import: packages whose types they use, and some of the standard library.
     """
@@ -64,8 +64,10 @@ def may_bring(name: str, text: str, workspace: Workspace) -> bool:
     here = {package.name: package.path for package in workspace.packages}
     if name in _OF_GENERATED or name in here or known.is_package(name) is not False:
         return True
-    for level, module in _starred(text):
+    for level, module in _starred(workspace.text(path)):
         if not level and module in _KNOWN:
+            if posixpath.join(posixpath.dirname(path), f"{module}.py") in workspace.names:
+                return True  # which Python takes, and pylint does not
             continue
         match = _INTERFACES.match(module)
         if level or match is None:

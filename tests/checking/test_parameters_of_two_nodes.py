@@ -57,3 +57,36 @@ def test_two_nodes_and_one(program: str, count: int, tmp_path: Path) -> None:
     assert (
         len({r.location for r in said(check, Example("", True, {**FILES, "demo/run.py": program}), tmp_path)}) == count
     )
+
+
+MOVEIT = """import rclpy
+from {module} import {name}
+from rclpy.node import Node
+
+class Server(Node):
+    def __init__(self):
+        super().__init__("server")
+        self.declare_parameter("speed", 1.0)
+        self.moveit = {name}(node_name="motion")
+
+def main():
+    rclpy.init()
+    rclpy.spin(Server())
+"""
+
+
+@pytest.mark.parametrize(
+    ("module", "name", "count"),
+    [("moveit.planning", "MoveItPy", 0), ("demo.planning", "MoveItPy", 1), ("moveit.planning", "PlanRequest", 1)],
+)
+def test_a_node_of_moveit_py_takes_what_the_program_is_given(
+    module: str, name: str, count: int, tmp_path: Path
+) -> None:
+    files = {
+        **FILES,
+        "demo/run.py": MOVEIT.format(module=module, name=name),
+        "demo/planning.py": "class MoveItPy:\n    def __init__(self, node_name):\n        self.name = node_name\n",
+        "launch/a.launch.xml": '<launch><node pkg="demo" exec="run"><param name="planning_plugin" value="ompl"/></node></launch>\n',
+    }
+    check = next(check for check in checks() if check.id == "parameter-not-declared")
+    assert len(said(check, Example("", True, files), tmp_path)) == count

@@ -725,6 +725,24 @@ def test_a_key_that_the_dictionary_has(made: str, change: str, expected: bool) -
     assert is_refuted("modified-iterating-dict", line, 8, text) is expected
 
 
+@pytest.mark.parametrize("rule", ["modified-iterating-list", "modified-iterating-dict", "modified-iterating-set"])
+@pytest.mark.parametrize(
+    ("statement", "expected"),
+    [
+        ("del one", True),
+        ("del one, other  # not needed", True),
+        ("del (one)", True),
+        ("del had[one]", False),
+        ("del had.one", False),
+        ("had.remove(one)", False),
+    ],
+)
+def test_a_name_that_is_taken_away_is_no_change_to_what_is_iterated_over(
+    rule: str, statement: str, expected: bool
+) -> None:
+    assert is_refuted(rule, 2, 4, f"for one in had:\n    {statement}\n") is expected
+
+
 def test_functions_are_looked_through_once_for_all_names(monkeypatch: pytest.MonkeyPatch) -> None:
     text = "".join(f"def f{number}():\n    return missing\n\n" for number in range(30))
     walked = 0

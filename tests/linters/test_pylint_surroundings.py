@@ -609,3 +609,35 @@ def test_super_of_the_type_of_self(tmp_path: Path, more: dict[str, str], name: s
         is_refuted_around(Result("pylint", "bad-super-call", Level.WARNING, message, Location("a.py", 3)), made)
         is expected
     )
+
+
+PATCHED = """class Mission:
+    def go(self):
+        return {}
+
+    def _detect(self, timeout=2.0):
+        return timeout
+"""
+OF_LAMBDA = "Unexpected keyword argument 'timeout' in lambda call"
+
+
+@pytest.mark.parametrize(
+    ("call", "more", "message", "expected"),
+    [
+        ("self._detect(timeout=1.0)", "", OF_LAMBDA, True),
+        ("1 + self._detect(timeout=1.0)", "", "Too many positional arguments for lambda call", True),
+        ("self._detect(timeout=1.0)", "", "Unexpected keyword argument 'timeout' in method call", False),
+        ("self._other(timeout=1.0)", "", OF_LAMBDA, False),
+        ("detect(timeout=1.0)", "", OF_LAMBDA, False),
+        ("self._detect(timeout=1.0)", "\n    def off(self):\n        self._detect = lambda: 0\n", OF_LAMBDA, False),
+    ],
+)
+def test_a_lambda_that_a_test_puts_in_the_place_of_a_method(
+    tmp_path: Path, call: str, more: str, message: str, expected: bool
+) -> None:
+    calls = "from mission import Mission\n\nMission().go()\nMission().off()\n"
+    texts = {"mission.py": PATCHED.format(call) + more, "main.py": calls, "test_a.py": "m._detect = lambda: 0\n"}
+    made = workspace(tmp_path, texts)
+    place = Location("mission.py", 3, 16)
+    rule = "unexpected-keyword-arg" if "keyword" in message else "too-many-function-args"
+    assert is_refuted_around(Result("pylint", rule, Level.ERROR, message, place), made) is expected

@@ -21,7 +21,13 @@ FILES = {
     "robot_msgs/srv/start.srv": "---\n",
     "robot_msgs/action/Drive.action": "---\n---\n",
     "names.py": "speed = 1\n",
+    "scripts/enum.py": "speed = 1\n",
 }
+
+
+def is_brought(root: Path, name: str, text: str) -> bool:
+    (root / "scripts/node.py").write_text(text)
+    return may_bring(name, "scripts/node.py", discover(root, (".",)))
 
 
 @pytest.fixture(scope="module")
@@ -45,7 +51,7 @@ def root(tmp_path_factory: pytest.TempPathFactory) -> Path:
     ],
 )
 def test_not_brought(root: Path, name: str, text: str) -> None:
-    assert not may_bring(name, text, discover(root, (".",)))
+    assert not is_brought(root, name, text)
 
 
 @pytest.mark.parametrize(
@@ -67,6 +73,7 @@ def test_not_brought(root: Path, name: str, text: str) -> None:
         ("speed", "from names import *\n"),
         ("speed", "from .names import *\n"),
         ("speed", "from .msg import *\n"),
+        ("speed", "from enum import *\n"),
         ("array", "from numpy import *\n"),
         ("Button", "from tkinter import *\n"),
         ("speed", "from robot_msgs.msg import *\nfrom numpy import *\n"),
@@ -74,4 +81,4 @@ def test_not_brought(root: Path, name: str, text: str) -> None:
     ],
 )
 def test_may_be_brought(root: Path, name: str, text: str) -> None:
-    assert may_bring(name, text, discover(root, (".",)))
+    assert is_brought(root, name, text)

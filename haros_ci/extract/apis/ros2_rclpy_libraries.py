@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""ROS 2 Python: message_filters, tf2_ros, image_transport_py, diagnostic_updater, interactive_markers and bondpy."""
+"""ROS 2 Python: message_filters, tf2_ros, image_transport_py, diagnostic_updater, interactive_markers, bondpy and moveit_py."""
 
 from __future__ import annotations
 
@@ -82,6 +82,10 @@ ROWS: tuple[dict[str, object], ...] = (
     {"call": "tf2_ros.BufferClient",
      "makes": [{"kind": "action_clients", "name": "{1|ns}", "type": "tf2_msgs/action/LookupTransform",
                 "namespace": "{0|node}"}]},
+
+    # moveit_py/src/moveit/moveit_ros/moveit_cpp/moveit_cpp.cpp: it makes a node of its own, which declares all that the process is given.
+    {"call": "moveit.planning.MoveItPy",
+     "makes": [{"kind": "node", "name": "{0|node_name?moveit_py}", "options": "declaring"}]},
 
     # image_transport_py/pybind_image_transport.cpp: it makes a node of its own.
     {"call": "image_transport_py.ImageTransport", "makes": [{"kind": "node", "name": "{0|node_name}"}]},

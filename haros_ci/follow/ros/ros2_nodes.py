@@ -38,6 +38,8 @@ SWITCHES = (
 )
 #: The options of nodes that a library makes beside the one that it is given, and what they switch off.
 HIDDEN = Known("hidden")
+#: The options of a row for a node that declares whatever it is given.
+DECLARING = Known("declaring")
 UNIQUE = "the library gives it another name each time"
 HIDES = ("start_parameter_services", "start_parameter_event_publisher")
 #: Of options: they are those that a component is given. Of a node: nothing is for it that the process is given.
@@ -126,6 +128,8 @@ def made(
         options = Object(NODE_OPTIONS, fields={option: Cell(Known(False)) for option in HIDES})
         local, is_open, why = RosArguments((RemappingRule("", "__node", text),)), False, why or UNIQUE
     else:
+        if options == DECLARING:
+            options = Object(NODE_OPTIONS, fields={name: Cell(Known(True)) for name in MAY_DECLARE})
         if process.component is not None and not walk.nodes and _may_be_given(space, options):
             space = None if options is None else space
             options = options_for(walk)

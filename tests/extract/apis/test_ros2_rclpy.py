@@ -426,6 +426,8 @@ CALLS = (
         "action_clients name=s type=tf2_msgs/action/LookupTransform namespace=node",
     ),
     # image_transport_py, diagnostic_updater, interactive_markers, bondpy.
+    ("moveit.planning.MoveItPy", "node_name='n'", "node name=n options=declaring"),
+    ("moveit.planning.MoveItPy", "", "node name=moveit_py options=declaring"),
     ("image_transport_py.ImageTransport", "'n', image_transport='raw'", "node name=n"),
     (
         "image_transport_py.ImageTransport.advertise",
