@@ -199,7 +199,7 @@ class ParameterFileUse(LaunchFact):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ConstructUse(LaunchFact):
-    """A construct of another ROS version (*kind* ``foreign``) or one that is deprecated (``deprecated``).
+    """A construct of another ROS version (*kind* ``foreign``), one that is deprecated (``deprecated``), or a tag that launch passes over (``ignored``).
 
     *text* is the construct, *instead* what to write. *is_installed* says whether the package installs the launch file, None
     where nobody can tell; it is looked up for ``foreign`` alone. *stops* says whether launch rejects the file for it; otherwise

@@ -73,6 +73,11 @@ def place(scope: LoaderScope, tag: LaunchElement) -> Location:
     return Location(scope.path, tag.line, tag.column)
 
 
+def ignored(state: RoslaunchState, scope: LoaderScope, tag: LaunchElement, parent: str = "") -> None:
+    """A *tag* that roslaunch passes over with a warning: inside of the tag *parent*, which takes others, or, without one, as it knows none of the name."""
+    note(state, scope, ConstructUse, place(scope, tag), kind="ignored", text=tag.tag, instead=parent, stops=False)
+
+
 def attribute(state: RoslaunchState, scope: LoaderScope, tag: LaunchElement, name: str, text: Text) -> None:
     """Files, packages and absolute paths that an attribute of *tag* names."""
     kind = _KINDS.get((tag.tag, name))

@@ -58,6 +58,7 @@ def node(state: RoslaunchState, scope: LoaderScope, tag: LaunchElement, conditio
             kind = child.tag.lower()
             if kind not in ("remap", "param", "rosparam", "env"):
                 state.wrong(scope, child, f"<{child.tag}> cannot stand in <{tag.tag}>; remove it")
+                ros1.ignored(state, scope, child, tag.tag)
                 continue
             under = state.conditions(outer, child)
             if under is None:
@@ -174,6 +175,7 @@ def machine(state: RoslaunchState, scope: LoaderScope, tag: LaunchElement, condi
     provided = {name: state.attribute(scope, tag, name) for name in MACHINE_ATTRIBUTES}
     for child in tag.children:
         state.wrong(scope, child, f"<{child.tag}> cannot stand in <machine>; remove it")
+        ros1.ignored(state, scope, child, "machine")
     if needed is None:
         return
     default = provided["default"]

@@ -153,6 +153,7 @@ def _walk(state: RoslaunchState, scope: LoaderScope, tags: tuple[LaunchElement, 
         if handler is None:
             if tag.tag != "master":
                 state.wrong(scope, tag, f"roslaunch knows no <{tag.tag}> here; remove it or correct its name")
+                ros1.ignored(state, scope, tag)
             continue
         before = state.presence, state.assumed, state.assumptions, state.is_asking, state.is_spare
         try:
@@ -285,6 +286,7 @@ def _include_child(
     kind = child.tag.lower()
     if kind not in ("arg", "env"):
         state.wrong(inner, child, f"<{child.tag}> cannot stand in <include>; remove it")
+        ros1.ignored(state, inner, child, "include")
         return
     conditions = state.conditions(inner, child)
     if conditions is None:
