@@ -136,6 +136,8 @@ def _is_meant(name: str, provider: str, need: Need) -> bool:
         return True
     if is_slip(name, provider) or provider in (f"python3-{name}", f"python-{name}", f"lib{name}-dev"):
         return True
+    if name.startswith("Qt") and provider.replace("-", "") == f"lib{name.lower()}":  # Qt5Widgets for libqt5-widgets
+        return True
     first, _, module = need.what.partition("import ")
     prefix, _, stem = normal(name).partition("-") if name.startswith("python3-") else ("python3", "", normal(name))
     called = distributions_of(module.partition(".")[0]) if module and not first else frozenset()
