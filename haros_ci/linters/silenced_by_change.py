@@ -184,12 +184,12 @@ FIRST_LOOK: tuple[tuple[tuple[str, ...], str, str], ...] = (
 BASE: tuple[tuple[tuple[str, ...], str, str], ...] = (
     (
         ("pages and scripts that build or source a devel space", "debian/rules"),
-        "directory-not-installed and target-not-installed in packages of ROS 1 that no distribution has are notes",
+        "directory-not-installed, target-not-installed and module-not-installed in packages of ROS 1 that no distribution has are notes",
         "tests/checking/test_devel_spaces.py::test_a_change_alone_shows_nothing",
     ),
     (
         ("pages and scripts that build with `colcon build --symlink-install` alone",),
-        "python-package-incomplete of modules that setup.py does not name is a note in ROS 2",
+        "module-not-installed, and python-package-incomplete of modules that setup.py does not name, are notes in ROS 2",
         "tests/checking/test_unlisted_modules.py::test_a_change_alone_tells_of_no_links",
     ),
     (
