@@ -21,11 +21,11 @@ from haros_ci.results.rule import Level
 
 #: What else may bring modules, in setup.py, and in the files beside it.
 _BRINGING = regex(
-    r"\b(?:package_dir|package_data|include_package_data|cmdclass|ext_modules|site-packages|dist-packages|purelib|platlib"
+    r"\b(?:package_dir|package_data|include_package_data|py_modules|cmdclass|ext_modules|site-packages|dist-packages|purelib|platlib"
     r"|get_python_lib|get_path|get_paths)\b|\bfind_(?:namespace_)?packages[ \t]*\(|\[['\"]packages['\"]\]|\blib/python|\bos\.system\b|\bsubprocess\b|\bshutil\b|\bexec\("
 )
 _BRINGING_BESIDE = regex(
-    r"\bpackage[-_]d(?:ata|ir)\b|\binclude[-_]package[-_]data\b|\[tool\.setuptools|\[options\.packages"
+    r"\bpackage[-_]d(?:ata|ir)\b|\bpy[-_]modules\b|\binclude[-_]package[-_]data\b|\[tool\.setuptools|\[options\.packages"
 )
 _REMARK = regex(r"#[^\n]*")
 _REQUIREMENTS = regex(r"(?:^|/)requirements[^/]*\.txt$")

@@ -134,6 +134,7 @@ LISTS = [
     "packages=[package_name], package_dir={'': '.'},",
     "packages=[package_name], package_data={'heron': ['fins/*.py']},",
     "packages=[package_name], include_package_data=True,",
+    "packages=[package_name], py_modules=['heron.fins.tail'],",
     "packages=[package_name], cmdclass={'install': Install},",
     "",
 ]
