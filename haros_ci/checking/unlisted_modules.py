@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import re
 import sys
 from collections.abc import Iterator
 
@@ -28,6 +27,9 @@ _BRINGING_BESIDE = regex(
     r"\bpackage[-_]d(?:ata|ir)\b|\bpy[-_]modules\b|\binclude[-_]package[-_]data\b|\[tool\.setuptools|\[options\.packages"
 )
 _REMARK = regex(r"#[^\n]*")
+_WORD = regex(r"[\w-]+")
+#: So many imports of a package are followed, each as often as programs come by it.
+MAX_STEPS = 100_000
 _REQUIREMENTS = regex(r"(?:^|/)requirements[^/]*\.txt$")
 
 
@@ -110,27 +112,40 @@ class _Loads:
     listed: frozenset[str] = frozenset()
     read: dict[str, tuple[tuple[str, Location], ...]] = field(default_factory=dict)
     own: dict[str, bool] = field(default_factory=dict)
+    done: set[str] = field(default_factory=set)
+    steps: int = 0
+    words: frozenset[str] = frozenset()
 
     def __post_init__(self) -> None:
+        files = [self.package.inside(name) for name in ("setup.py", "setup.cfg", "package.xml", "pyproject.toml")]
+        files += (name for name in self.package.project.workspace.names if _REQUIREMENTS.search(name))
+        self.words = frozenset(word for name in files for word in _WORD.findall(self.package.project.text(name)))
         self.listed = frozenset(name.replace("/", ".") for name, _ in self.package.build.python_packages)
         self.own |= {name.partition(".")[0]: True for name in self.listed}
 
     def follow(self, path: str, program: str) -> None:
         """Take down what the *program* in the file at *path* lacks; nothing of it if a file that it loads changes where Python searches."""
+        if path in self.done:
+            return
         left: dict[str, _Left] = {}
         todo: list[tuple[str, Location | None]] = [(path, None)]
         seen = {path}
         for file, location in todo:
+            if self.steps > MAX_STEPS:
+                return
             name = self._holder(file)
             if name not in self.listed:
                 if not self._is_installed(file):
                     left.setdefault(name, _Left(program, location))
             elif SEARCHING.search(self.package.project.text(file)) is not None:
                 return
-            for other, place in self._imported(file):
-                if other not in seen and len(seen) < MAX_FILES:
+            imported = self._imported(file)
+            self.steps += len(imported)
+            for other, place in imported:
+                if other not in seen and other not in self.done and len(seen) < MAX_FILES:
                     seen.add(other)
                     todo.append((other, place))
+        self.done |= seen
         for name, one in left.items():
             self.left.setdefault(name, one)
 
@@ -193,7 +208,4 @@ class _Loads:
             return False
         if project.knowledge.provider_of_module(top) or sources.modules.get(top, frozenset()) - {package.name}:
             return False
-        word = re.compile(rf"(?<![\w-]){re.escape(top)}(?![\w-])")
-        files = [package.inside(name) for name in ("setup.py", "setup.cfg", "package.xml", "pyproject.toml")]
-        files += (name for name in there if _REQUIREMENTS.search(name))
-        return not any(word.search(project.text(name)) for name in files)
+        return top not in self.words

@@ -230,3 +230,27 @@ def test_a_change_alone_tells_of_no_links(tmp_path: Path) -> None:
     for base, level in (("A heron.\n", Level.WARNING), (LINKED, Level.NOTE)):
         example = Example("", True, files, base={"README.md": base})
         assert [result.level for result in said(check, example, tmp_path / level.value)] == [level]
+
+
+def test_programs_that_load_the_same(tmp_path: Path) -> None:
+    setup = SETUP.replace("heron.swim:main'", "heron.swim:main', 'dive = heron.dive:main', 'wade = heron.wade:main'")
+    more = {
+        "heron/dive.py": SWIM.format(
+            "from heron import wade\nimport sys\nsys.path.append('/opt')\nimport heron.eyes.left"
+        ),
+        "heron/wade.py": SWIM.format("from heron import swim\nimport heron.beak.tip"),
+        "heron/eyes/left.py": "",
+        "heron/beak/tip.py": "",
+    }
+    (result,) = found(FINS, tmp_path, more, setup)
+    assert "does not install heron.beak and heron.fins, which" in result.message
+    assert "programs wade and swim stop with" in result.message
+
+
+def test_many_programs_that_load_each_other(tmp_path: Path) -> None:
+    count = 60
+    programs = "".join(f", 's{number} = heron.s{number}:main'" for number in range(count))
+    imports = "".join(f"import heron.s{number}\n" for number in range(count))
+    more = {f"heron/s{number}.py": SWIM.format(imports) for number in range(count)}
+    setup = SETUP.replace("heron.swim:main'", f"heron.swim:main'{programs}")
+    assert len(found(FINS, tmp_path, more, setup)) == 1
