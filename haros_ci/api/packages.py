@@ -50,6 +50,7 @@ from haros_ci.checking.interpreted import (
 from haros_ci.checking.known_commands import is_well_known
 from haros_ci.checking.left_to_write import is_unfilled, lacks_interface
 from haros_ci.checking.leftovers import Leftovers
+from haros_ci.checking.linked_builds import is_built_with_links
 from haros_ci.checking.lookups import Lookup, launch_lookups, lookups
 from haros_ci.checking.lost_imports import lost_imports
 from haros_ci.checking.manifest_names import ENVIRONMENT, has_environment, is_nowhere
@@ -258,6 +259,7 @@ __all__ = [
     "is_asked_for",
     "is_built_against",
     "is_built_by_copying",
+    "is_built_with_links",
     "is_called_after",
     "is_copy_by_name",
     "is_for_nobody",

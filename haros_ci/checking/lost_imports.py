@@ -8,11 +8,12 @@ from collections.abc import Iterator, Set
 from haros_ci.checking.check import Finding
 from haros_ci.checking.own_modules import LostImport, OwnModules
 from haros_ci.checking.project import ProjectPackage
+from haros_ci.checking.unlisted_modules import unlisted_modules
 from haros_ci.model.location import Location
 
 
 def lost_imports(package: ProjectPackage, launched: Set[tuple[str, str]]) -> Iterator[Finding]:
-    """Modules and names that programs of *package* import of it, and that Python does not find.
+    """Modules and names that programs of *package* import of it, and that Python does not find, or not once it is installed.
 
     Programs are the ``console_scripts`` of a package of ament_python, and of others the scripts that CMake installs, or that a launch file starts:
     *launched* are packages and programs.
@@ -22,6 +23,7 @@ def lost_imports(package: ProjectPackage, launched: Set[tuple[str, str]]) -> Ite
         for entry_point in package.build.entry_points if package.ros == 2 else ():
             for lost in own.lost(entry_point) if entry_point.path else ():
                 yield _finding(lost, entry_point.name, entry_point.location, package)
+        yield from unlisted_modules(package)
         return
     installed = {one.path: one.location for one in package.build.installed if one.kind == "program"}
     for path in package.build.scripts:

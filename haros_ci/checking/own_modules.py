@@ -20,7 +20,7 @@ from haros_ci.regex import regex
 from haros_ci.results.module_names import EXTENSIONS, names_of
 
 #: What lets Python find modules elsewhere, or makes them while it runs.
-_SEARCHING = regex(
+SEARCHING = regex(
     r"\bsys\.(?:path|modules|meta_path)\b|\b__path__\b|\bimportlib\b|\baddsitedir\b|\bextend_path\b|\bos\.chdir\b"
 )
 #: What the build makes in a package of Python: interfaces, reconfigurations and extensions.
@@ -86,7 +86,7 @@ class OwnModules:
 
         Nothing where a file changes where Python searches, or where what is missing may be made or installed in another way.
         """
-        folder = _top(entry_point)
+        folder = top_of(entry_point)
         if folder is not None and len(self.sources.modules.get(_name(folder), ())) < 2:
             yield from self._lost(entry_point.path, folder)
 
@@ -129,9 +129,9 @@ class OwnModules:
             text = self.package.project.text(path)
             tree = parsed(text) if path not in self.seen and len(text) <= MAX_TEXT else None
             self.seen.add(path)
-            if _SEARCHING.search(text) is not None:
+            if SEARCHING.search(text) is not None:
                 return
-            for module, names, line in _imports(tree, path, folder) if tree is not None else ():
+            for module, names, line in outermost_imports(tree, path, folder) if tree is not None else ():
                 location = Location(path, line)
                 if module.partition(".")[0] == _name(folder):
                     found, is_lost = self._found(module, folder)
@@ -223,7 +223,7 @@ class OwnModules:
         return None if file in installed or folder in installed else file
 
 
-def _top(entry_point: EntryPoint) -> str | None:
+def top_of(entry_point: EntryPoint) -> str | None:
     """The directory of the outermost package that the module is in; None if it is in none."""
     parts = entry_point.module.split(".")
     tail = "/".join(parts[1:])
@@ -244,7 +244,7 @@ def _dotted(file: str, folder: str) -> str:
     return f"{_name(folder)}{inner}"
 
 
-def _imports(tree: ast.Module, path: str, folder: str) -> Iterator[tuple[str, tuple[str, ...], int]]:
+def outermost_imports(tree: ast.Module, path: str, folder: str) -> Iterator[tuple[str, tuple[str, ...], int]]:
     """The modules that the outermost statements import, by their whole names, with the names taken from them and the lines; relative ones resolved in *folder*."""
     inner = path.removeprefix(folder).split("/")[1:-1] if path.startswith(f"{folder}/") else None
     for statement in tree.body:

@@ -179,3 +179,27 @@ FIRST_LOOK: tuple[tuple[tuple[str, ...], str, str], ...] = (
         "tests/hostile/test_hostile_hiding_comments.py::test_a_change_to_a_copy_of_a_public_package_is_seen",
     ),
 )
+
+#: What pages and settings of the base revision lower: a change alone does not.
+BASE: tuple[tuple[tuple[str, ...], str, str], ...] = (
+    (
+        ("pages and scripts that build or source a devel space", "debian/rules"),
+        "directory-not-installed, target-not-installed and module-not-installed in packages of ROS 1 that no distribution has are notes",
+        "tests/checking/test_devel_spaces.py::test_a_change_alone_shows_nothing",
+    ),
+    (
+        ("pages and scripts that build with `colcon build --symlink-install` alone",),
+        "module-not-installed, and python-package-incomplete of modules that setup.py does not name, are notes in ROS 2",
+        "tests/checking/test_unlisted_modules.py::test_a_change_alone_tells_of_no_links",
+    ),
+    (
+        LEFT_TO_PIP,
+        "undeclared-import of a module that the package leaves to pip is a note",
+        "tests/checking/test_unreached.py::test_a_change_alone_leaves_nothing_to_pip",
+    ),
+    (
+        ("pages and scripts that are for ROS Noetic and no older distribution",),
+        "script-not-runnable of a .cfg file of dynamic_reconfigure is a note",
+        "tests/test_script_not_runnable.py::test_files_of_dynamic_reconfigure",
+    ),
+)

@@ -31,7 +31,7 @@ from haros_ci.linters import (
 )
 from haros_ci.linters import tool_switches as reading
 from haros_ci.linters.settings_files import Marks
-from haros_ci.linters.silenced_by_change import CHANGE, FIRST_LOOK, LEFT_TO_PIP
+from haros_ci.linters.silenced_by_change import BASE, CHANGE, FIRST_LOOK
 from haros_ci.linters.switches import Switches
 from haros_ci.model.workspace import Workspace
 from haros_ci.records import dataclass, field
@@ -281,27 +281,7 @@ OTHERS: tuple[SilencingRow, ...] = (
         SettingOrigin.BASE,
         f"{_HERE}::test_gitignore_of_the_change_lowers_no_finding",
     ),
-    SilencingRow(
-        OWN,
-        ("pages and scripts that build or source a devel space", "debian/rules"),
-        "directory-not-installed and target-not-installed in packages of ROS 1 that no distribution has are notes",
-        SettingOrigin.BASE,
-        "tests/checking/test_devel_spaces.py::test_a_change_alone_shows_nothing",
-    ),
-    SilencingRow(
-        OWN,
-        LEFT_TO_PIP,
-        "undeclared-import of a module that the package leaves to pip is a note",
-        SettingOrigin.BASE,
-        "tests/checking/test_unreached.py::test_a_change_alone_leaves_nothing_to_pip",
-    ),
-    SilencingRow(
-        OWN,
-        ("pages and scripts that are for ROS Noetic and no older distribution",),
-        "script-not-runnable of a .cfg file of dynamic_reconfigure is a note",
-        SettingOrigin.BASE,
-        "tests/test_script_not_runnable.py::test_files_of_dynamic_reconfigure",
-    ),
+    *(SilencingRow(OWN, files, what, SettingOrigin.BASE, test) for files, what, test in BASE),
     *(SilencingRow(OWN, files, what, SettingOrigin.HEAD, test) for files, what, test in CHANGE),
     *(SilencingRow("all tools", files, what, SettingOrigin.NEVER, test) for files, what, test in FIRST_LOOK),
     SilencingRow(

@@ -235,9 +235,9 @@ class Build:
     *scripts* are Python files that are installed as programs or begin with a shebang. *python_roots* are pairs of an
     import root (``""`` for all, or a top-level name) and the root-relative directory that it stands for. *defined* are
     the macros that the build defines for C++, *flags* what CMAKE_CXX_FLAGS is, *are_flags_known* False where that depends on
-    what only a build knows. *python_packages* are the import packages that setup.py names, *script_directories* are
-    ``(develop or install, directory, line)`` of setup.cfg: where its programs are put. *commands* are those of CMake in the
-    order in which they run. *written* are files that it makes of templates.
+    what only a build knows. *python_packages* are the import packages that setup.py names, *are_python_packages_all* if one list in
+    the call names all of them. *script_directories* are ``(develop or install, directory, line)`` of setup.cfg: where its
+    programs are put. *commands* are those of CMake in the order in which they run. *written* are files that it makes of templates.
     """
 
     package: str
@@ -258,6 +258,7 @@ class Build:
     commands: tuple[CMakeCommand, ...] = ()
     distribution: Distribution | None = None
     python_packages: tuple[tuple[str, Location], ...] = ()
+    are_python_packages_all: bool = False
     script_directories: tuple[tuple[str, str, int], ...] = ()
     written: tuple[WrittenFile, ...] = ()
 

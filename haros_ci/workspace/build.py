@@ -106,6 +106,7 @@ def build_of(workspace: Workspace, package: Package, tree: PathTree | None = Non
         commands=tuple(state.commands),
         written=written_files(state),
         python_packages=setup.packages,
+        are_python_packages_all=setup.are_packages_all,
         script_directories=tuple(
             (section, *place)
             for section, place in script_directories(workspace.text(f"{_base(package)}setup.cfg")).items()

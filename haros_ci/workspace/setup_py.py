@@ -33,6 +33,7 @@ from haros_ci.workspace.setup_cfg import (
 )
 from haros_ci.workspace.setup_entries import script_lines
 from haros_ci.workspace.setup_filled import filled
+from haros_ci.workspace.setup_packages import package_names
 from haros_ci.workspace.tree import PathTree
 
 MAX_GLOBS = 100
@@ -45,7 +46,7 @@ _CALLS = ("setup", "setuptools.setup", "distutils.core.setup", "generate_distuti
 class Setup:
     """What setup.py says. *roots* as in ``Build.python_roots``; *parameter_modules* have a name and a YAML file.
 
-    *packages* are the import packages that ``packages=`` writes out.
+    *packages* are the import packages that ``packages=`` writes out; *are_packages_all* if it names no others.
     """
 
     roots: tuple[tuple[str, str], ...] = ()
@@ -56,6 +57,7 @@ class Setup:
     problems: tuple[Problem, ...] = ()
     distribution: Distribution | None = None
     packages: tuple[tuple[str, Location], ...] = ()
+    are_packages_all: bool = False
 
 
 def read_setup(tree: PathTree, package: Package) -> Setup:
@@ -197,8 +199,10 @@ class _SetupReader:
         roots = self.roots()
         installed = (*self.scripts(), *self.data_files())
         entry_points = (*self.entry_points(roots), *self.configured(roots))
-        rest = (self.refused, tuple(self.parameter_modules), tuple(self.problems), self.distribution(), self.packages())
-        return Setup(roots, installed, entry_points, *rest)
+        rest = (self.refused, tuple(self.parameter_modules), tuple(self.problems), self.distribution())
+        return Setup(
+            roots, installed, entry_points, *rest, *package_names(self.given.get("packages"), self.value, self.path)
+        )
 
     def distribution(self) -> Distribution | None:
         node = self.given.get("name")
@@ -208,15 +212,6 @@ class _SetupReader:
             if node and isinstance(name, str)
             else None
         )
-
-    def packages(self) -> tuple[tuple[str, Location], ...]:
-        """``packages=[...]``; none where it is computed."""
-        node = self.given.get("packages")
-        names = self.value(node) if node is not None else None
-        if node is None or not isinstance(names, list):
-            return ()
-        where = Location(self.path, node.lineno, node.col_offset + 1)
-        return tuple((name, where) for name in names if isinstance(name, str))
 
     def roots(self) -> tuple[tuple[str, str], ...]:
         node = self.given.get("package_dir")

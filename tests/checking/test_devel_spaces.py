@@ -143,3 +143,17 @@ def test_headers_that_no_other_package_includes(library: str, name: str, expecte
     (check,) = (check for check in checks() if check.id == "directory-not-installed")
     (result,) = said(check, Example("", True, files), tmp_path)
     assert result.level is expected
+
+
+def test_a_module_beside_a_script(tmp_path: Path) -> None:
+    rule = "install(PROGRAMS scripts/swim.py DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})\n"
+    files = {
+        "package.xml": MANIFEST.replace("roscpp", "rospy"),
+        "CMakeLists.txt": f"cmake_minimum_required(VERSION 3.0.2)\nproject({NAME})\nfind_package(catkin REQUIRED)\ncatkin_package()\n{rule}",
+        "scripts/swim.py": "#!/usr/bin/env python3\nimport rospy\nimport strokes\n",
+        "scripts/strokes.py": "long = 1\n",
+    }
+    check = next(check for check in checks() if check.id == "module-not-installed")
+    for page, level in (("catkin_make\n", Level.NOTE), ("catkin_make install\n", Level.WARNING)):
+        example = Example("", True, {**files, "README.md": page})
+        assert [result.level for result in said(check, example, tmp_path / level.value)] == [level]

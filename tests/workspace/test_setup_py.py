@@ -130,6 +130,29 @@ def test_problems(text: str, message: str) -> None:
     assert [problem.message for problem in read(f"#bad\n{text}").problems] == [message]
 
 
+@pytest.mark.parametrize(
+    ("text", "names", "is_whole"),
+    [
+        ("setup(packages=['a', 'a.b'])", ["a", "a.b"], True),
+        ("setup(packages=('a',))", ["a"], True),
+        ("n = 'a'\nsetup(packages=[n, n + '.b', f'{n}.c'])", ["a", "a.b", "a.c"], True),
+        ("setup(**dict(packages=['a']))", ["a"], True),
+        ("setup(packages=[])", [], True),
+        ("p = ['a']\np += more()\nsetup(packages=p)", ["a"], False),
+        ("setup(packages=['a'] + ['b'])", ["a", "b"], False),
+        ("setup(packages=['a', 1])", ["a"], False),
+        ("setup(packages=['a', *more()])", [], False),
+        ("setup(packages=find_packages())", [], False),
+        ("setup(packages=['a'] + find_packages())", [], False),
+        ("setup()", [], False),
+    ],
+)
+def test_packages(text: str, names: list[str], is_whole: bool) -> None:
+    found = read(text)
+    assert [name for name, _ in found.packages] == names
+    assert found.are_packages_all == is_whole
+
+
 def test_at_the_root() -> None:
     setup = read("setup(package_dir={'': 'src'}, scripts=['bin/tool'])", "")
     assert setup.roots == (("", "src"),)
