@@ -157,8 +157,13 @@ def _missing(
 
 def _of_its_python(name: str, uses: list[Need], package: ProjectPackage) -> str:
     """The key for Python 2 in place of *name* where only files for that Python import the module, and rosdep has such a key."""
+    if not _lacks_python3(name, uses, package):
+        return name
     older = f"python-{name.removeprefix('python3-')}"
-    return older if older in uses[0].providers and _lacks_python3(name, uses, package) else name
+    keys = [key for key in sorted(uses[0].providers) if key.startswith("python-")]
+    if older in keys or package.project.knowledge.is_key(older):
+        return older
+    return keys[0] if keys and all(key.startswith(keys[0]) for key in keys) else name
 
 
 def _lacks_python3(name: str, uses: list[Need], package: ProjectPackage) -> bool:
@@ -199,7 +204,7 @@ def _finding(package: ProjectPackage, group: list[_UndeclaredModule]) -> Finding
     return Finding(
         at=last_dependency(package),
         message=f"{package.name} imports {listed(modules)}, but package.xml declares no package that provides {them}: "
-        f"{fails}; add {spelled_out(lines)}{_by_choice(group)}{_aside(group)}{said_misplaced(package, (missing.name for missing in group))}",
+        f"{fails}; add {spelled_out(lines)}{_by_choice(group)}{_of_python2(group)}{_aside(group)}{said_misplaced(package, (missing.name for missing in group))}",
         about=(package.name, *modules),
         related=tuple(place for missing in group for place in _places(missing)),
         apart=modules,
@@ -220,6 +225,12 @@ def _by_choice(group: list[_UndeclaredModule]) -> str:
     what = ("it" if len(left) == 1 else "them") if len(left) == len(group) else listed(list(left))
     places = list(dict.fromkeys(line_of(place) for place in left.values() if place is not None))
     return f", unless pip is to install {what}, as {listed(places)} say{'' if len(places) > 1 else 's'}"
+
+
+def _of_python2(group: list[_UndeclaredModule]) -> str:
+    """That the keys do not fit the Python of the scripts."""
+    older = any(missing.is_older for missing in group)
+    return "; no such key of Python 2, which the scripts are for, is known: port them" if older else ""
 
 
 def _is_left_to_pip(group: list[_UndeclaredModule]) -> bool:
@@ -262,9 +273,7 @@ def _alternative(missing: _UndeclaredModule, is_told: bool) -> str:
     pin = ""
     if missing.pin is not None and not is_told:
         pin = f", unless pip is to install it: {line_of(missing.pin)} asks for a version"
-    older = (
-        " (of Python 3: rosdep has none of Python 2, which the scripts are for; port them)" if missing.is_older else ""
-    )
+    older = " (of Python 3)" if missing.is_older else ""
     return older + (f" (or {', '.join(missing.others)})" if missing.others else "") + pin
 
 
