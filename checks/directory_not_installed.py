@@ -282,7 +282,7 @@ def _finding(package: ProjectPackage, thing: str, need: _Need, is_idle: bool) ->
         message = (
             f"{what} of {package.name} {verb} installed to {need.wrong}, but used from share/{package.name}/{thing}; "
         )
-        message += _right_place(package, thing, need.wrong)
+        message += _right_place(package, thing, need)
     elif need.places:
         place, more = need.places[0][0], len(need.places) - 1
         also = f" and {more} more place{'s' if more > 1 else ''} need" if more else " needs"
@@ -310,11 +310,15 @@ def _finding(package: ProjectPackage, thing: str, need: _Need, is_idle: bool) ->
     )
 
 
-def _right_place(package: ProjectPackage, thing: str, wrong: str) -> str:
-    """What to write where *thing* is installed to *wrong*: without a slash behind it install() puts the directory itself into the destination."""
-    if not f"{wrong}/".startswith(f"share/{package.name}/{thing}/{thing}/"):
-        return "correct the destination"
-    return f"write DIRECTORY {thing}/ with a slash, or leave {thing} out of the destination"
+def _right_place(package: ProjectPackage, thing: str, need: _Need) -> str:
+    """What to write where *thing* is installed elsewhere: install() puts a directory itself into the destination, and with a slash behind it what is inside."""
+    share, folder = f"share/{package.name}", package.inside(thing)
+    if f"{need.wrong}/".startswith(f"{share}/{thing}/{thing}/"):
+        return f"write DIRECTORY {thing}/ with a slash, or leave {thing} out of the destination"
+    rows = (row for row in package.build.installed if row.kind == "directory" and row.path == folder)
+    if any(row.destination.rstrip("/") == share for row in rows):
+        return f"write DIRECTORY {thing} without a slash, which installs the directory itself"
+    return "correct the destination"
 
 
 def _is_in_part(package: ProjectPackage, folder: str) -> bool:

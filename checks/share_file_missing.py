@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Files that a program opens below the share directory of a package, and that are not there once the package is installed."""
+"""Files that a program opens below the share directory of a package, and that are not there once the package is installed; images of maps."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from itertools import islice
 
 from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage, dataclass, regex
 from haros_ci.api.code import weighed
-from haros_ci.api.launch import similar_files
+from haros_ci.api.launch import LostImage, lost_images, similar_files
 from haros_ci.api.packages import landings, may_appear, paths_by_name
 
 #: What gives the directory of a package: ament_index_cpp, ament_index_python, roslib, rospkg.
@@ -47,6 +47,7 @@ class _FileUse:
 
 def check(project: Project) -> Iterator[Finding]:
     yield from weighed(project, _found(project))
+    yield from map(_of_map, lost_images(project))
 
 
 def _found(project: Project) -> Iterator[Finding]:
@@ -133,6 +134,17 @@ def _finding(package: ProjectPackage, use: _FileUse) -> Iterator[Finding]:
     )
 
 
+def _of_map(lost: LostImage) -> Finding:
+    """map_server reads the image as soon as it loads the map, and stops without it."""
+    return Finding(
+        at=lost.location,
+        message=f"the map names the image {lost.path}, which does not exist: map_server cannot load the map; {lost.advice}",
+        about=(lost.path,),
+        apart=(lost.path,),
+        level=None if lost.is_used else Level.NOTE,
+    )
+
+
 def _is_known(package: ProjectPackage) -> bool:
     """Whether all that the package installs is known."""
     if package.ros is None or package.build.problems:
@@ -146,7 +158,7 @@ def _is_known(package: ProjectPackage) -> bool:
 
 CHECK = Check(
     id="share-file-missing",
-    summary="File of a share directory that is opened but not installed.",
+    summary="File of a share directory that is opened but not installed, or image of a map that does not exist.",
     level=Level.WARNING,
     tags=("packages", "code"),
     project=check,

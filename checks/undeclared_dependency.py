@@ -6,7 +6,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping, Sequence
 
-from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage, listed, regex
+from haros_ci.api import Check, Finding, Fix, Level, Location, Project, ProjectPackage, listed, regex
 from haros_ci.api.packages import (
     COUNTERPARTS,
     ENVIRONMENT,
@@ -123,7 +123,7 @@ def _coming_along(
             continue
         for other in missing:
             if other != providers and other not in found and not other & package.declared:
-                if providers & _closure(first_provider(other, package), package.ros, provisions):
+                if providers & provisions.closure(first_provider(other, package), package.ros):
                     found[providers] = other
                     break
     return found
@@ -132,16 +132,6 @@ def _coming_along(
 def _is_interface(providers: frozenset[str]) -> bool:
     """Whether they are packages of messages, which everybody declares who includes them."""
     return any(name.endswith(("_msgs", "_interfaces", "_srvs")) for name in providers)
-
-
-def _closure(name: str, ros: int | None, provisions: Provisions) -> frozenset[str]:
-    """What comes with *name*."""
-    found, todo = {name}, [name]
-    while todo:
-        new = (provisions.brought(todo.pop(), ros) or frozenset()) - found
-        found |= new
-        todo += new
-    return frozenset(found)
 
 
 def _put(missing: dict[frozenset[str], list[Need]], need: Need) -> None:
@@ -175,24 +165,42 @@ def _finding(
     is_idle = bool(idle) and not _leads_to_headers(package, name, provisions)
     is_certain = not others and is_of_ros(name, package.project) and not is_idle and not is_test
     fix = add_dependency(package, kind, name) if is_certain else None
-    tags = listed([dependency_tags(package, kind, key) for key in keys])
+    own, parts = _own(package, brought)
+    tags = listed([dependency_tags(package, kind, key) for key in (*keys, *own)])
     packages = listed(keys)
     alternative = f" (or {', '.join(others)})" if others else ""
     guard = "move find_package() into if(BUILD_TESTING), as tests alone need it, and " if is_test else ""
-    if brought:
-        alternative += f", which brings {listed([item[0].what.removeprefix('#include ') for item in brought])}, too"
+    if parts:
+        alternative += f", {f'of which {name}' if own else 'which'} brings {listed([item[0].what.removeprefix('#include ') for item in parts])}, too"
+    fixes = [fix, *(add_dependency(package, kind, other) for other in own)]
+    edits = tuple(edit for one in fixes if one is not None for edit in one.edits)
     return Finding(
         at=last_dependency(package),
         message=f"{package.name} needs {packages} to build ({uses[0].what}), but package.xml does not declare {'it' if len(keys) == 1 else 'them'}: the build "
         f"fails on a machine without {packages}; {_removal(idle) if is_idle else guard}add {tags}{alternative}{said_misplaced(package, providers)}{said_never(package, providers)}",
         about=(package.name, name),
         related=tuple(
-            (use.location, f"needs {name}: {use.what}") for item in (uses, *brought) for use in item[:_SHOWN]
+            (use.location, f"needs {other}: {use.what}")
+            for other, item in ((name, uses), *((name, item) for item in parts), *own.items())
+            for use in item[:_SHOWN]
         ),
         apart=(name,),
         level=Level.NOTE if _is_built_from_source(package.project, providers) else None,
-        fixes=() if fix is None else (fix,),
+        fixes=() if None in fixes else (Fix(f"declare {listed([name, *own])}", edits),),
     )
+
+
+def _own(package: ProjectPackage, brought: Sequence[list[Need]]) -> tuple[dict[str, list[Need]], list[list[Need]]]:
+    """Of what is *brought* the packages of distributions, which another one brings in some and not in others, and the rest."""
+    own: dict[str, list[Need]] = {}
+    parts: list[list[Need]] = []
+    for item in brought:
+        name = first_provider(item[0].providers, package)
+        if is_of_ros(name, package.project) and package.project.package(name) is None:
+            own[name] = [*own.get(name, ()), *item]
+        else:
+            parts.append(item)
+    return own, parts
 
 
 def _removal(commands: Sequence[str]) -> str:
@@ -257,8 +265,8 @@ def _leads_to_headers(package: ProjectPackage, name: str, provisions: Provisions
     known = package.project.knowledge
     found = {word for command in package.commands("find_package") for word in command.arguments} - {name}
     by_others = found.union(*(known.provider_of_cmake(word) or () for word in found))
-    by_others = by_others.union(*(_closure(word, package.ros, provisions) for word in sorted(by_others)))
-    inner = _closure(name, package.ros, provisions) - {name}
+    by_others = by_others.union(*(provisions.closure(word, package.ros) for word in sorted(by_others)))
+    inner = provisions.closure(name, package.ros) - {name}
     for file in package.files if inner else ():
         if file.language == "cpp":
             for included in _INCLUDE.finditer(package.project.text(file.path)):

@@ -21,6 +21,7 @@ from haros_ci.api import (
     regex,
     spelled_out,
 )
+from haros_ci.api.code import parsed_of_any_version
 from haros_ci.api.packages import (
     Need,
     Provisions,
@@ -32,6 +33,7 @@ from haros_ci.api.packages import (
     first_provider,
     imports_of,
     is_called_after,
+    is_for_older,
     is_for_tests,
     is_of_ros,
     lacking,
@@ -51,6 +53,7 @@ from haros_ci.api.packages import (
 _SHOWN = 3
 _PIP = regex(r"\bpip3?\s+install\s+([^;&|]*)")
 _PYTHON2 = regex(r"#![^\n]*\bpython2(?:\.\d)?\b")
+_PYTHON = regex(r"#![^\n]*\bpython(?![\w.])")
 _KEY = regex(r"^python3?-|-pip$")
 
 
@@ -59,7 +62,7 @@ class _UndeclaredModule:
     """A package that is not declared: what to declare, *others* that would do as well, and the modules of it that are imported.
 
     *pin* is where pip is asked for a version of it, *left* where the package leaves it to pip on purpose. *is_idle* says that nothing which runs
-    imports it, *is_older* that scripts for Python 2 do, for which there is no key any more.
+    imports it, *is_older* that files for Python 2 do, for which there is no key any more.
     """
 
     name: str
@@ -153,15 +156,30 @@ def _missing(
 
 
 def _of_its_python(name: str, uses: list[Need], package: ProjectPackage) -> str:
-    """The key for Python 2 in place of *name* where only scripts that ask for that Python import the module, and rosdep has such a key."""
+    """The key for Python 2 in place of *name* where only files for that Python import the module, and rosdep has such a key."""
+    if not _lacks_python3(name, uses, package):
+        return name
     older = f"python-{name.removeprefix('python3-')}"
-    return older if older in uses[0].providers and _lacks_python3(name, uses, package) else name
+    keys = [key for key in sorted(uses[0].providers) if key.startswith("python-")]
+    if older in keys or package.project.knowledge.is_key(older):
+        return older
+    return keys[0] if keys and all(key.startswith(keys[0]) for key in keys) else name
 
 
 def _lacks_python3(name: str, uses: list[Need], package: ProjectPackage) -> bool:
-    """Whether *name* is a key for Python 3, and all that imports the module are scripts that ask for Python 2."""
-    is_key = package.ros == 1 and name.startswith("python3-")
-    return is_key and all(_PYTHON2.match(package.project.text(use.location.path)) for use in uses)
+    """Whether *name* is a key for Python 3, and all that imports the module are files for Python 2."""
+    if package.ros != 1 or not name.startswith("python3-"):
+        return False
+    is_old = is_for_older(package.project)
+    return all(_is_older(package.project.text(use.location.path), is_old) for use in uses)
+
+
+def _is_older(text: str, is_old: bool) -> bool:
+    """Whether a file is for Python 2: it asks for it, Python 3 refuses it, or it asks for any in a workspace for distributions of ROS 1 that are old (*is_old*)."""
+    if _PYTHON2.match(text) or (is_old and _PYTHON.match(text)):
+        return True
+    module = parsed_of_any_version(text)
+    return module is not None and module[2]
 
 
 def _by_pip(package: ProjectPackage) -> Iterator[str]:
@@ -186,7 +204,7 @@ def _finding(package: ProjectPackage, group: list[_UndeclaredModule]) -> Finding
     return Finding(
         at=last_dependency(package),
         message=f"{package.name} imports {listed(modules)}, but package.xml declares no package that provides {them}: "
-        f"{fails}; add {spelled_out(lines)}{_by_choice(group)}{_aside(group)}{said_misplaced(package, (missing.name for missing in group))}",
+        f"{fails}; add {spelled_out(lines)}{_by_choice(group)}{_of_python2(group)}{_aside(group)}{said_misplaced(package, (missing.name for missing in group))}",
         about=(package.name, *modules),
         related=tuple(place for missing in group for place in _places(missing)),
         apart=modules,
@@ -207,6 +225,12 @@ def _by_choice(group: list[_UndeclaredModule]) -> str:
     what = ("it" if len(left) == 1 else "them") if len(left) == len(group) else listed(list(left))
     places = list(dict.fromkeys(line_of(place) for place in left.values() if place is not None))
     return f", unless pip is to install {what}, as {listed(places)} say{'' if len(places) > 1 else 's'}"
+
+
+def _of_python2(group: list[_UndeclaredModule]) -> str:
+    """That the keys do not fit the Python of the scripts."""
+    older = any(missing.is_older for missing in group)
+    return "; no such key of Python 2, which the scripts are for, is known: port them" if older else ""
 
 
 def _is_left_to_pip(group: list[_UndeclaredModule]) -> bool:
@@ -249,7 +273,7 @@ def _alternative(missing: _UndeclaredModule, is_told: bool) -> str:
     pin = ""
     if missing.pin is not None and not is_told:
         pin = f", unless pip is to install it: {line_of(missing.pin)} asks for a version"
-    older = " (of Python 3: make the scripts, which ask for Python 2, ask for it, too)" if missing.is_older else ""
+    older = " (of Python 3)" if missing.is_older else ""
     return older + (f" (or {', '.join(missing.others)})" if missing.others else "") + pin
 
 

@@ -31,6 +31,7 @@ _NO_TARGETS = frozenset(
         "ament_environment_hooks",
         "rclcpp_components_register_node",
         "rclcpp_components_register_nodes",
+        "catkin_install_python",  # its destination ends with the name of the package
     )
 )
 #: Commands that name targets and sets of them of the whole build.

@@ -27,7 +27,7 @@ def check(system: System) -> Iterator[Finding]:
             continue
         how = f"$(arg {read.name})" if read.ros == 1 else f"launch configuration {read.name!r}"
         if read.ros == 2 and (read.location.path, read.name) in own:
-            is_given = system.whole.is_shown(read.name, read.location.path)
+            is_given = system.whole.is_shown(read.name, read.location.path, read.ros)
             yield _circular(read, others, Level.NOTE if is_given else Level.WARNING)
             continue
         if read.ros == 2 and read.name in places:
@@ -37,7 +37,8 @@ def check(system: System) -> Iterator[Finding]:
         is_settable = not read.similar and (read.ros == 2 or not read.included)
         unless = f", unless '{read.name}:=…' is given; declare it" if is_settable else ""
         is_given = is_settable and (
-            system.whole.is_shown(read.name, read.location.path) or system.whole.is_of_others(read.location.path)
+            system.whole.is_shown(read.name, read.location.path, read.ros)
+            or system.whole.is_of_others(read.location.path)
         )
         yield Finding(
             at=read.location,

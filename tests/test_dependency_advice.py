@@ -411,3 +411,40 @@ def test_a_name_with_other_separators_is_corrected(name: str, others: list[str],
     corrected = [] if name == "pose_cov_ops" or others else ["write pose_cov_ops"]
     assert [word for message in found["misspelt-dependency"] for word in corrected if word in message] == corrected
     assert len(found["undeclared-dependency"]) == len(others), found
+
+
+POINTS = "find_package(ament_cmake REQUIRED)\n{}\nadd_executable(a a.cpp)\nament_package()"
+
+
+@pytest.mark.parametrize(
+    ("found", "headers", "end"),
+    [
+        (
+            "find_package(pcl_ros REQUIRED)",
+            ("tf2_eigen/tf2_eigen.h",),
+            "add <depend>pcl_ros</depend> and <depend>tf2_eigen</depend>",
+        ),
+        (
+            "find_package(pcl_ros REQUIRED)",
+            ("Eigen/Core", "tf2_eigen/tf2_eigen.h"),
+            "add <depend>pcl_ros</depend> and <depend>tf2_eigen</depend>, of which pcl_ros brings <Eigen/Core>, too",
+        ),
+        (
+            "find_package(pcl_ros REQUIRED)",
+            ("Eigen/Core",),
+            "add <depend>pcl_ros</depend>, which brings <Eigen/Core>, too",
+        ),
+        (
+            "find_package(cv_bridge REQUIRED)",
+            ("opencv2/opencv.hpp",),
+            "add <depend>cv_bridge</depend>, which brings <opencv2/opencv.hpp>, too",
+        ),
+    ],
+)
+def test_what_another_package_brings_in_some_distributions_alone(
+    found: str, headers: tuple[str, ...], end: str, tmp_path: Path
+) -> None:
+    manifest = MANIFEST.format(' format="3"', ROS2.format(""))
+    source = "".join(f"#include <{header}>\n" for header in headers)
+    (message,) = messages(manifest, POINTS.format(found), source, tmp_path)
+    assert message.rstrip(".").endswith(end), message

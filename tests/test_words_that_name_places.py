@@ -37,6 +37,27 @@ def test_a_directory_in_itself(destination: str, words: str, tmp_path: Path) -> 
     assert message.endswith(words)
 
 
+@pytest.mark.parametrize(
+    ("install", "words"),
+    [
+        (
+            "install(DIRECTORY urdf/ meshes/ DESTINATION share/demo)",
+            "; write DIRECTORY meshes without a slash, which installs the directory itself",
+        ),
+        (
+            "install(DIRECTORY urdf meshes/ DESTINATION share/${PROJECT_NAME}/)",
+            "; write DIRECTORY meshes without a slash, which installs the directory itself",
+        ),
+        ("install(DIRECTORY urdf meshes/ DESTINATION share/other)", "; correct the destination"),
+        ("install(DIRECTORY urdf meshes/ DESTINATION share/demo/mesh)", "; correct the destination"),
+        ("install(FILES meshes/a.stl DESTINATION share/demo)", "; correct the destination"),
+    ],
+)
+def test_a_directory_whose_content_alone_is_installed(install: str, words: str, tmp_path: Path) -> None:
+    (message,) = messages("directory-not-installed", robot(install), tmp_path)
+    assert message.endswith(words)
+
+
 def test_the_default_of_an_argument(tmp_path: Path) -> None:
     files = {"package.xml": MANIFEST.format("demo", ROS2), "CMakeLists.txt": CMAKE.format(""), "launch/a.launch.xml": LAUNCH}  # fmt: skip
     (message,) = messages("missing-launch-file", files, tmp_path)

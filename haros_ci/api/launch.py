@@ -6,6 +6,7 @@ from __future__ import annotations
 from haros_ci.checking.distributions import depends_on_distribution
 from haros_ci.checking.launch_edits import renamed_keyword
 from haros_ci.checking.launching import included_by, is_end_of_longer, is_nested, meant, owner, said_by
+from haros_ci.checking.map_images import LostImage, lost_images
 from haros_ci.checking.old_distributions import is_called_old, is_tried, told_of
 from haros_ci.checking.optional import is_optional
 from haros_ci.checking.outside_arguments import outside_file
@@ -63,6 +64,8 @@ __all__ = [
     "owner",
     "renamed_keyword",
     "said_by",
+    "LostImage",
+    "lost_images",
     "share_uses",
     "similar_files",
     "similar_names",

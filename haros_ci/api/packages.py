@@ -78,7 +78,7 @@ from haros_ci.checking.needs import Need, lacking, needs_of
 from haros_ci.checking.outside_targets import may_be_added, may_have_more
 from haros_ci.checking.own_modules import LostImport, OwnModules
 from haros_ci.checking.package_names import meant_here, meant_released
-from haros_ci.checking.pages import is_for_noetic
+from haros_ci.checking.pages import is_for_noetic, is_for_older
 from haros_ci.checking.plugin_readers import is_of_node, may_load
 from haros_ci.checking.plugin_uses import (
     PLUGIN_NAME,
@@ -264,6 +264,7 @@ __all__ = [
     "is_copy_by_name",
     "is_for_nobody",
     "is_for_noetic",
+    "is_for_older",
     "is_for_tests",
     "is_found_by_others",
     "is_given_to_another",

@@ -168,6 +168,7 @@ def used_files(package: ProjectPackage) -> Iterator[tuple[str, bool]]:
             folders.append(thing.path)
         elif thing.kind != "directory":
             used.add(thing.path)
+    used |= _started_in_place(package)
     unused = _unused(package, used, python)
     tests = _test_code(package, used, python)
     share = [t.path for t in package.build.installed if t.kind == "directory" and t.destination.startswith("share")]
@@ -184,6 +185,30 @@ def used_files(package: ProjectPackage) -> Iterator[tuple[str, bool]]:
             yield path, is_launch
 
 
+def _started_in_place(package: ProjectPackage) -> frozenset[str]:
+    """Scripts that no install() names, and that launch files of ROS 1 start: roslaunch finds them in the sources, as a devel space has them.
+
+    One of several files of the name is not known to be the one.
+    """
+    if package.ros != 1:
+        return frozenset()
+    started = _started(package)
+    named: dict[str, list[str]] = {}
+    for path in (*package.build.scripts, *(thing.path for thing in package.build.installed)):
+        named.setdefault(path.rpartition("/")[2], []).append(path)
+    return frozenset(paths[0] for name, paths in named.items() if name in started and len(set(paths)) == 1)
+
+
+def _started(package: ProjectPackage) -> frozenset[str]:
+    """The programs of *package* that launch files start."""
+    return frozenset(
+        use.program
+        for system in package.project.systems
+        for use in system.facts(ProgramUse)
+        if use.package == package.name and use.kind == "executable"
+    )
+
+
 def _unused(package: ProjectPackage, requested: set[str], python: list[str]) -> frozenset[str]:
     """Scripts inside an importable package that nothing starts, and the modules that only such scripts import: tools for training, plots, notebooks.
 
@@ -195,12 +220,7 @@ def _unused(package: ProjectPackage, requested: set[str], python: list[str]) -> 
     scripts = {path for path in below if _MAIN.search(project.text(path))}
     if not scripts:
         return frozenset()
-    started = {
-        use.program
-        for system in project.systems
-        for use in system.facts(ProgramUse)
-        if use.package == package.name and use.kind == "executable"
-    }
+    started = _started(package)
     scripts = {path for path in scripts if path.rpartition("/")[2] not in started}
     modules: dict[str, list[str]] = {}
     for path in below:

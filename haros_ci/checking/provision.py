@@ -128,6 +128,15 @@ class Provisions:
                 self._brought[key] = self._known(name, ros)
         return self._brought[key]
 
+    def closure(self, name: str, ros: int | None) -> frozenset[str]:
+        """What comes with *name*, itself among it, in any distribution of *ros*."""
+        found, todo = {name}, [name]
+        while todo:
+            new = (self.brought(todo.pop(), ros) or frozenset()) - found
+            found |= new
+            todo += new
+        return frozenset(found)
+
     def _known(self, name: str, ros: int | None) -> frozenset[str] | None:
         knowledge = self.project.knowledge
         found = knowledge.depends(name, ros)

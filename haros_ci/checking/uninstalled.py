@@ -28,6 +28,7 @@ _DEMONSTRATION = regex(r"\b(?:demo(?:nstrat\w+)?|example|tutorial|test case|play
 _TESTS = regex(r"(?:^|_)(?:tests?|testing|benchmarks?|tools)(?:$|_)")
 #: Copies that editors and people keep beside a script.
 _KEPT = regex(r"(?:~|\.(?:bak|backup|old|orig|org|save|swp|tmp|disabled)\d*)\Z", re.IGNORECASE)
+_MAIN_BLOCK = regex(r"__name__\s*==\s*['\"]__main__['\"]")
 _RUN = regex(r"\b(?:ros2 run|rosrun)\s+([\w-]+)\s+([\w.-]+)")
 #: What the code of a node uses by itself, and what leaves it to a library.
 _CLIENT = regex(r"\b(?:ros|roscpp|rclcpp\w*|rcl|nodelet|nav2_\w+)::\w|\brclcpp\b|\binit\s*\(\s*argc\b")
@@ -241,7 +242,9 @@ def _scripts(package: ProjectPackage, programs: Programs) -> Iterator[Uninstalle
         if use is None and (package.name, posixpath.splitext(name)[0]) in programs.lost:
             continue  # it is started without its ending: unknown-executable says what to write and to install
         text = package.project.text(path)
-        if landings(package, path) or _is_module(package, path) or name in package.cmake.mentioned or name in names:
+        if landings(package, path) or name in package.cmake.mentioned or name in names:
+            continue
+        if _is_module(package, path) and (use is None or not _is_program_too(package, shown, text)):
             continue
         if any(word == name or word.endswith(f"/{name}") for word in package.cmake.mentioned):
             continue
@@ -271,8 +274,10 @@ def _scripts(package: ProjectPackage, programs: Programs) -> Iterator[Uninstalle
 def _is_node(package: ProjectPackage, text: str) -> bool:
     """Whether a script is a node of the package's own ROS, to be run as it stands."""
     client = "rospy" if package.ros == 1 else "rclpy"
-    is_main = re.search(r"__name__\s*==\s*['\"]__main__['\"]", text)
-    return bool(is_main) and re.search(rf"(?m)^[ \t]*(?:import|from)\s+{client}\b", text) is not None
+    return (
+        _MAIN_BLOCK.search(text) is not None
+        and re.search(rf"(?m)^[ \t]*(?:import|from)\s+{client}\b", text) is not None
+    )
 
 
 def _is_module(package: ProjectPackage, path: str) -> bool:
@@ -282,3 +287,12 @@ def _is_module(package: ProjectPackage, path: str) -> bool:
         if name and path.startswith(below):
             return True
     return f"{posixpath.dirname(path)}/__init__.py" in package.project.workspace.names
+
+
+def _is_program_too(package: ProjectPackage, shown: str, text: str) -> bool:
+    """Whether a module is a program by its *text*, which setup.py does not install as one: who imports it finds it, roslaunch and ros2 launch do not."""
+    return (
+        text.startswith("#!")
+        and _MAIN_BLOCK.search(text) is not None
+        and shown not in package.project.text(package.inside("setup.py"))
+    )

@@ -190,9 +190,24 @@ class Whole:
         paths = (path for path in self._paths if path.endswith(LAUNCH_FILES))
         return tuple(path for path in paths if path.endswith(NOT_XML) or _STARTS.search(self._text(path)))
 
-    def is_shown(self, argument: str, path: str) -> bool:
-        """Whether a page or a script of the workspace, or the launch file at *path*, shows a command that gives the launch *argument*."""
-        return argument in self._shown or argument in _SHOWN.findall(self._text(path))
+    def is_shown(self, argument: str, path: str, ros: int) -> bool:
+        """Whether a page or a script of the workspace, or the launch file at *path*, shows a command that gives the launch *argument*.
+
+        With ROS 1 a command gives it to the launch file that it names, and to those that this one passes it to; with ROS 2 all that are included have it.
+        """
+        if argument in _SHOWN.findall(self._text(path)):
+            return True
+        names = self._shown.get(argument, frozenset())
+        if ros == 2 or not names.isdisjoint(("", path.rpartition("/")[2])):
+            return bool(names)
+        return any(self._may_pass(name, argument) for name in names)
+
+    def _may_pass(self, name: str, argument: str) -> bool:
+        """Whether a launch file of ROS 1 that is called *name* may pass the *argument* on: it says so, or is not in the workspace."""
+        named = rf"""\bname\s{{0,9}}=\s{{0,9}}["']{re.escape(argument)}["']"""
+        given = re.compile(rf"pass_all_args|<arg\s(?=[^<>]{{0,300}}{named})(?=[^<>]{{0,300}}\bvalue\s{{0,9}}=)")
+        texts = [self._text(path) for path in self._paths if path.rpartition("/")[2] == name]
+        return not texts or any(given.search(text) for text in texts)
 
     def is_of_others(self, path: str) -> bool:
         """Whether the first comment of the launch file at *path* has the copyright of somebody whom no manifest of the workspace names."""
@@ -209,10 +224,17 @@ class Whole:
         return frozenset(word for path in manifests for word in words(self._text(path)))
 
     @cached_property
-    def _shown(self) -> frozenset[str]:
-        """The launch arguments that pages and scripts of the workspace give: ``rate`` of ``rate:=10``."""
-        texts = (self._text(path) for path in self._paths if path.lower().endswith(_SHOWING))
-        return frozenset(name for text in texts if ":=" in text for name in _SHOWN.findall(text))
+    def _shown(self) -> Mapping[str, frozenset[str]]:
+        """The launch arguments that pages and scripts of the workspace give (``rate`` of ``rate:=10``), with the launch files in the same command, "" where
+        there is none.
+        """
+        found: dict[str, set[str]] = {}
+        for path in self._paths:
+            text = self._text(path) if path.lower().endswith(_SHOWING) else ""
+            for line in text.replace("\\\n", " ").splitlines() if ":=" in text else ():
+                for name in _SHOWN.findall(line):
+                    found.setdefault(name, set()).update(_LAUNCHED.findall(line) or ("",))
+        return {name: frozenset(files) for name, files in found.items()}
 
     def is_named(self, path: str) -> bool:
         """Whether a page or a script of the workspace has the name of the launch file at *path*: then people start it."""

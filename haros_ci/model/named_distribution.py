@@ -23,6 +23,7 @@ _NOETIC = regex(
 )
 #: A branch that is called after an older one is often that of Noetic, too, and an address tells of another project.
 _NO_NAME = regex(r"https?://\S{0,300}|[\w/]{0,40}-devel\b|\borigin/[\w-]{1,40}")
+_SAID = regex("noetic", re.IGNORECASE)
 _OLDER = regex(r"\b(?:groovy|hydro|indigo|jade|kinetic|lunar|melodic)\b", re.IGNORECASE)
 
 
@@ -38,4 +39,14 @@ def names_noetic(texts: Iterable[str]) -> bool:
         if _OLDER.search(_NO_NAME.sub(" ", text)):
             return False
         is_named = is_named or _NOETIC.search(text) is not None
+    return is_named
+
+
+def names_older(texts: Iterable[str]) -> bool:
+    """Whether the *texts* of pages and scripts are for distributions of ROS 1 before Noetic, whose Python is Python 2, and none has the name of Noetic."""
+    is_named = False
+    for text in texts:
+        if _SAID.search(text):
+            return False
+        is_named = is_named or _OLDER.search(_NO_NAME.sub(" ", text)) is not None
     return is_named

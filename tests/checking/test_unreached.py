@@ -207,6 +207,7 @@ def test_what_pip_may_install_is_told_once(requirements: str, expected: str, tmp
 
 
 OLDER = "#!/usr/bin/env python{}\nimport {}\nimport rospy\n\nrospy.init_node('n')\n"
+PRINTS = OLDER + "print 'n'\n"
 CATKIN = (
     "cmake_minimum_required(VERSION 3.0)\nproject(demo)\nfind_package(catkin REQUIRED)\ncatkin_package()\n"
     "catkin_install_python(PROGRAMS a.py b.py DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})\n"
@@ -217,10 +218,22 @@ CATKIN = (
     ("first", "second", "words"),
     [
         (OLDER.format("2.7", "scipy"), OLDER.format("2", "scipy"), "add <exec_depend>python-scipy</exec_depend>"),
-        (OLDER.format("2.7", "serial"), OLDER.format("2", "serial"), "</exec_depend> (of Python 3: make the scripts"),
+        (
+            OLDER.format("2.7", "serial"),
+            OLDER.format("2", "serial"),
+            "</exec_depend> (of Python 3); no such key of Python 2",
+        ),
         (OLDER.format("3", "scipy"), OLDER.format("2", "scipy"), "add <exec_depend>python3-scipy</exec_depend>."),
         (OLDER.format("", "scipy"), OLDER.format("", "scipy"), "add <exec_depend>python3-scipy</exec_depend>."),
         (OLDER.format("", "serial"), OLDER.format("", "serial"), "add <exec_depend>python3-serial</exec_depend>."),
+        (PRINTS.format("", "scipy"), PRINTS.format("", "scipy"), "add <exec_depend>python-scipy</exec_depend>."),
+        (
+            PRINTS.format("", "serial"),
+            PRINTS.format("", "serial"),
+            "</exec_depend> (of Python 3); no such key of Python 2",
+        ),
+        (PRINTS.format("", "scipy"), OLDER.format("", "scipy"), "add <exec_depend>python3-scipy</exec_depend>."),
+        (OLDER.format("3", "scipy"), PRINTS.format("", "scipy"), "add <exec_depend>python3-scipy</exec_depend>."),
     ],
 )
 def test_scripts_of_python_2(first: str, second: str, words: str, tmp_path: Path) -> None:
@@ -228,3 +241,25 @@ def test_scripts_of_python_2(first: str, second: str, words: str, tmp_path: Path
     check = next(check for check in checks() if check.id == "undeclared-import")
     (found,) = said(check, Example("", True, files), tmp_path)
     assert words in f"{found.message}."
+
+
+@pytest.mark.parametrize(
+    ("page", "start", "key"),
+    [
+        ("For ROS Indigo.", "", "python-scipy"),
+        ("Tried with Kinetic and Melodic.", "", "python-scipy"),
+        ("Tried with Melodic and Noetic.", "", "python3-scipy"),
+        ("For Noetic, as it is called.", "", "python3-scipy"),
+        ("For ROS 1.", "", "python3-scipy"),
+        ("A fork of the melodic-devel branch.", "", "python3-scipy"),
+        ("See https://example.org/kinetic/scan.", "", "python3-scipy"),
+        ("For ROS Indigo.", "3", "python3-scipy"),
+        ("For ROS Indigo.", " -u", "python-scipy"),
+    ],
+)
+def test_scripts_of_any_python_for_old_distributions(page: str, start: str, key: str, tmp_path: Path) -> None:
+    script = OLDER.format(start, "scipy")
+    files = {"package.xml": ROS1, "CMakeLists.txt": CATKIN, "a.py": script, "b.py": script, "README.md": page + "\n"}
+    check = next(check for check in checks() if check.id == "undeclared-import")
+    (found,) = said(check, Example("", True, files), tmp_path)
+    assert f"add <exec_depend>{key}</exec_depend>" in found.message
