@@ -53,36 +53,39 @@ def _of(package: ProjectPackage, sources: Sources) -> Iterator[Finding]:
             if path and not _is_elsewhere(module, package, sources) and not _is_installed(path, package, written):
                 missing.setdefault(path, []).append((script, location))
     for path, uses in missing.items():
-        script, location = uses[0]
-        file = path.removesuffix("/__init__.py")
-        module = file.rpartition("/")[2].removesuffix(".py")
-        where = next(install.destination for install in installs if install.path == script)
-        dotted = _dotted(path, package)
-        place = f"install {file} to {where or 'the same directory'}, too"
-        is_shadowed = dotted.partition(".")[0] == script.rpartition("/")[2].removesuffix(".py")  # it finds itself first
-        installer, setup = (
-            ("setup.py", "catkin_python_setup")
-            if package.ros == 1
-            else ("ament_python_install_package()", "ament_python_install_package")
-        )
-        remedy = (
-            (place if is_shadowed else f"import it as {dotted}, which {installer} installs")
-            if dotted
-            else f"{place}, or make it a module of a Python package ({setup})"
-        )
-        fails = (
-            "ImportError when started from an install space"
-            if package.ros == 1
-            else "ModuleNotFoundError, except after colcon build --symlink-install"
-        )
-        yield Finding(
-            at=location,
-            message=f"{script} imports {module} from its own directory, but CMake installs the script alone: it fails with "
-            f"{fails}; {remedy}",
-            about=(package.name, path),
-            related=tuple((place, "imports it, too") for _, place in uses[1:5]),
-            apart=(module,),
-        )
+        yield _finding(package, path, uses)
+
+
+def _finding(package: ProjectPackage, path: str, uses: list[tuple[str, Location]]) -> Finding:
+    script, location = uses[0]
+    file = path.removesuffix("/__init__.py")
+    module = file.rpartition("/")[2].removesuffix(".py")
+    fails = (
+        "ImportError when started from an install space"
+        if package.ros == 1
+        else "ModuleNotFoundError, except after colcon build --symlink-install"
+    )
+    return Finding(
+        at=location,
+        message=f"{script} imports {module} from its own directory, but CMake installs the script alone: it fails with "
+        f"{fails}; {_remedy(package, path, file, script)}",
+        about=(package.name, path),
+        related=tuple((place, "imports it, too") for _, place in uses[1:5]),
+        apart=(module,),
+    )
+
+
+def _remedy(package: ProjectPackage, path: str, file: str, script: str) -> str:
+    where = next(install.destination for install in package.build.installed if install.path == script)
+    dotted = _dotted(path, package)
+    place = f"install {file} to {where or 'the same directory'}, too"
+    if dotted.partition(".")[0] == script.rpartition("/")[2].removesuffix(".py") != "":  # it finds itself first
+        return place
+    is_old = package.ros == 1
+    if dotted:
+        return f"import it as {dotted}, which {'setup.py' if is_old else 'ament_python_install_package()'} installs"
+    setup = "catkin_python_setup" if is_old else "ament_python_install_package"
+    return f"{place}, or make it a module of a Python package ({setup})"
 
 
 def _dotted(path: str, package: ProjectPackage) -> str:

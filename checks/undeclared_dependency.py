@@ -8,6 +8,7 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from haros_ci.api import Check, Finding, Fix, Level, Location, Project, ProjectPackage, listed, regex
 from haros_ci.api.packages import (
+    BUILD_TOOLS,
     COUNTERPARTS,
     ENVIRONMENT,
     Need,
@@ -19,9 +20,9 @@ from haros_ci.api.packages import (
     dependency_tags,
     first_provider,
     has_environment,
+    idle_commands,
     is_nowhere,
     is_of_ros,
-    is_well_known,
     last_dependency,
     needs_of,
     others_of,
@@ -33,15 +34,6 @@ from haros_ci.api.packages import (
 
 #: Boost without its libraries.
 HEADERS = "libboost-dev"
-#: The beginnings of names of packages that only the build needs.
-_TOOLS = (
-    "ament_cmake",
-    "rosidl_default_generators",
-    "catkin",
-    "message_generation",
-    "cmake_modules",
-    "eigen3_cmake_module",
-)
 #: What rosdep's keys have beside the name of the library: libnlopt-cxx-dev.
 _AFFIXES = regex(r"^lib|-(?:dev|devel|cxx|cpp|all|vendor)\b|(?:-?\d[\d.]*)$|-dev\b")
 #: The beginnings of names of packages that tests alone need.
@@ -56,14 +48,7 @@ _TESTING = (
 )
 _GENERATORS = ("rosidl_default_generators", "message_generation")
 _SHOWN = 3
-#: The core of ROS, whose headers are named otherwise.
-_CORE = frozenset(
-    ("roscpp", "rclcpp", "roslib", "rosconsole", "rostime", "roscpp_traits", "roscpp_serialization", "cpp_common")
-)
 _INCLUDE = regex(r"^[ \t]*#[ \t]*include[ \t]*[<\"]([^<>\"\n]{1,200})[>\"]", re.MULTILINE)
-_DEFINED = regex(r"^[ \t]*(?:function|macro)[ \t]*\([ \t]*(\w{1,100})", re.IGNORECASE | re.MULTILINE)
-#: Commands that pass on what find_package() found; to name a package there uses nothing of it.
-_PASSING = ("ament_target_dependencies", "ament_export_dependencies")
 #: A condition of CMake that reads a variable that ros_environment sets.
 _VARIABLE = regex(r"^[ \t]*(?:else)?if[ \t]*\([^\n#]*\$ENV\{(ROS_DISTRO|ROS_VERSION)\}", re.IGNORECASE | re.MULTILINE)
 
@@ -158,26 +143,23 @@ def _finding(
     name = HEADERS if HEADERS in providers else first_provider(providers, package)
     keys = boost_keys(package) if name == HEADERS else (name,)
     others = others_of(providers, name, package) if name != HEADERS else []
-    is_tool = name.startswith(_TOOLS) and not any(use.is_header for use in uses)
+    is_tool = name.startswith(BUILD_TOOLS) and not any(use.is_header for use in uses)
     is_test = name.startswith(_TESTING) and not any(use.is_header for use in uses)
     kind = "test_depend" if is_test else "buildtool_depend" if is_tool else "depend"
-    idle = _idle_in(package, name, uses) if not brought else ()
+    idle = idle_commands(package, name, uses) if not brought else ()
     is_idle = bool(idle) and not _leads_to_headers(package, name, provisions)
     is_certain = not others and is_of_ros(name, package.project) and not is_idle and not is_test
     fix = add_dependency(package, kind, name) if is_certain else None
     own, parts = _own(package, brought)
     tags = listed([dependency_tags(package, kind, key) for key in (*keys, *own)])
     packages = listed(keys)
-    alternative = f" (or {', '.join(others)})" if others else ""
     guard = "move find_package() into if(BUILD_TESTING), as tests alone need it, and " if is_test else ""
-    if parts:
-        alternative += f", {f'of which {name}' if own else 'which'} brings {listed([item[0].what.removeprefix('#include ') for item in parts])}, too"
     fixes = [fix, *(add_dependency(package, kind, other) for other in own)]
     edits = tuple(edit for one in fixes if one is not None for edit in one.edits)
     return Finding(
         at=last_dependency(package),
         message=f"{package.name} needs {packages} to build ({uses[0].what}), but package.xml does not declare {'it' if len(keys) == 1 else 'them'}: the build "
-        f"fails on a machine without {packages}; {_removal(idle) if is_idle else guard}add {tags}{alternative}{said_misplaced(package, providers)}{said_never(package, providers)}",
+        f"fails on a machine without {packages}; {_removal(idle) if is_idle else guard}add {tags}{_besides(name, others, parts, bool(own))}{said_misplaced(package, providers)}{said_never(package, providers)}",
         about=(package.name, name),
         related=tuple(
             (use.location, f"needs {other}: {use.what}")
@@ -188,6 +170,15 @@ def _finding(
         level=Level.NOTE if _is_built_from_source(package.project, providers) else None,
         fixes=() if None in fixes else (Fix(f"declare {listed([name, *own])}", edits),),
     )
+
+
+def _besides(name: str, others: Sequence[str], parts: Sequence[list[Need]], has_own: bool) -> str:
+    """What may be declared instead of *name*, and which *parts* it brings."""
+    alternative = f" (or {', '.join(others)})" if others else ""
+    if parts:
+        headers = listed([item[0].what.removeprefix("#include ") for item in parts])
+        alternative += f", {f'of which {name}' if has_own else 'which'} brings {headers}, too"
+    return alternative
 
 
 def _own(package: ProjectPackage, brought: Sequence[list[Need]]) -> tuple[dict[str, list[Need]], list[list[Need]]]:
@@ -206,56 +197,6 @@ def _own(package: ProjectPackage, brought: Sequence[list[Need]]) -> tuple[dict[s
 def _removal(commands: Sequence[str]) -> str:
     """What is better than to declare what nothing uses."""
     return f"nothing else here uses it: remove it from {listed([f'{command}()' for command in commands])}, or "
-
-
-def _idle_in(package: ProjectPackage, name: str, uses: list[Need]) -> tuple[str, ...]:
-    """The commands that alone name the package *name*, find_package() and those that pass it on; empty where a source, interface or launch file uses it."""
-    if any(use.is_header or use.what != f"find_package({name})" for use in uses) or name.startswith(_TOOLS):
-        return ()
-    word = re.compile(rf"\b{re.escape(name)}\b")
-    passing: list[str] = []
-    for command in package.build.commands:
-        is_found = command.name == "find_package"
-        if command.name in _PASSING:
-            passing += [command.name] if name in command.arguments else []
-            continue
-        if name.lower() in command.name or (not is_found and any(name in argument for argument in command.arguments)):
-            return ()
-        if (
-            is_found
-            and command.arguments[:1] != ("catkin",)
-            and any(name in argument for argument in command.arguments[1:])
-        ):
-            return ()
-    if _calls_unknown(package) or _is_mentioned(package, name, word):
-        return ()  # a package that is found may define the command
-    return "find_package", *dict.fromkeys(passing)
-
-
-def _is_mentioned(package: ProjectPackage, name: str, word: re.Pattern[str]) -> bool:
-    """Whether a file of the package but for its CMake has the name, or includes what the package *name* provides."""
-    known = package.project.knowledge
-    for file in package.files:
-        if file.language == "cmake":
-            continue
-        if file.language == "cpp" and name in _CORE:
-            return True  # headers of generated messages need it
-        text = package.project.text(file.path)
-        if word.search(text) or any(
-            name in (known.provider_of_header(found[1]) or ()) for found in _INCLUDE.finditer(text)
-        ):
-            return True
-    return False
-
-
-def _calls_unknown(package: ProjectPackage) -> bool:
-    """Whether CMake calls a command that nothing which is known defines: a package that is found brings it."""
-    called = {command.name for command in package.build.commands if not is_well_known(command.name)}
-    if not called:
-        return False
-    files = (path for path in package.project.workspace.names if path.endswith((".cmake", "CMakeLists.txt")))
-    defined = {found[1].lower() for path in files for found in _DEFINED.finditer(package.project.text(path))}
-    return not called <= defined
 
 
 def _leads_to_headers(package: ProjectPackage, name: str, provisions: Provisions) -> bool:

@@ -28,6 +28,7 @@ from haros_ci.checking.editing import (
 )
 from haros_ci.checking.entries import NO_ENTRIES, entries_of, paths_by_name
 from haros_ci.checking.gone_packages import said_gone
+from haros_ci.checking.idle_packages import BUILD_TOOLS, idle_commands
 from haros_ci.checking.imports import imported, imports_of, is_called_after
 from haros_ci.checking.installing import (
     install_commands,
@@ -47,7 +48,6 @@ from haros_ci.checking.interpreted import (
     is_sourced,
     is_to_be_run,
 )
-from haros_ci.checking.known_commands import is_well_known
 from haros_ci.checking.left_to_write import is_unfilled, lacks_interface
 from haros_ci.checking.leftovers import Leftovers
 from haros_ci.checking.linked_builds import is_built_with_links
@@ -76,7 +76,6 @@ from haros_ci.checking.manifests import (
 from haros_ci.checking.meant_plugins import described_classes, is_seen_through, library_of, meant_classes
 from haros_ci.checking.needs import Need, lacking, needs_of
 from haros_ci.checking.outside_targets import may_be_added, may_have_more
-from haros_ci.checking.own_modules import LostImport, OwnModules
 from haros_ci.checking.package_names import meant_here, meant_released
 from haros_ci.checking.pages import is_for_noetic, is_for_older
 from haros_ci.checking.plugin_readers import is_of_node, may_load
@@ -163,6 +162,7 @@ from haros_ci.model.element import Element
 from haros_ci.model.package import Dependency, Package, SourceFile
 
 __all__ = [
+    "BUILD_TOOLS",
     "AMENT",
     "BUILD",
     "Build",
@@ -187,13 +187,11 @@ __all__ = [
     "Leftovers",
     "Link",
     "Lookup",
-    "LostImport",
     "MACROS",
     "NO_ENTRIES",
     "Need",
     "OF_PYTHON",
     "OF_TARGETS",
-    "OwnModules",
     "PLUGIN_NAME",
     "Package",
     "PluginClass",
@@ -247,6 +245,7 @@ __all__ = [
     "holds",
     "holds_for_python",
     "imported",
+    "idle_commands",
     "imports_of",
     "insert_line",
     "install_commands",
@@ -286,7 +285,6 @@ __all__ = [
     "is_to_be_run",
     "is_told_of",
     "is_unfilled",
-    "is_well_known",
     "is_written",
     "knowledge",
     "lacking",

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import sys
+from collections import deque
 from collections.abc import Iterator
 
 from haros_ci.checking.branches import parsed
@@ -128,9 +129,10 @@ class _Loads:
         if path in self.done:
             return
         left: dict[str, _Left] = {}
-        todo: list[tuple[str, Location | None]] = [(path, None)]
+        todo: deque[tuple[str, Location | None]] = deque([(path, None)])
         seen = {path}
-        for file, location in todo:
+        while todo:
+            file, location = todo.popleft()
             if self.steps > MAX_STEPS:
                 return
             name = self._holder(file)
