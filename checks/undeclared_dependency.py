@@ -143,9 +143,8 @@ def _finding(
     name = HEADERS if HEADERS in providers else first_provider(providers, package)
     keys = boost_keys(package) if name == HEADERS else (name,)
     others = others_of(providers, name, package) if name != HEADERS else []
-    is_tool = name.startswith(BUILD_TOOLS) and not any(use.is_header for use in uses)
-    is_test = name.startswith(_TESTING) and not any(use.is_header for use in uses)
-    kind = "test_depend" if is_test else "buildtool_depend" if is_tool else "depend"
+    kind = _kind(name, uses)
+    is_test = kind == "test_depend"
     idle = idle_commands(package, name, uses) if not brought else ()
     is_idle = bool(idle) and not _leads_to_headers(package, name, provisions)
     is_certain = not others and is_of_ros(name, package.project) and not is_idle and not is_test
@@ -169,6 +168,15 @@ def _finding(
         apart=(name,),
         level=Level.NOTE if _is_built_from_source(package.project, providers) else None,
         fixes=() if None in fixes else (Fix(f"declare {listed([name, *own])}", edits),),
+    )
+
+
+def _kind(name: str, uses: Sequence[Need]) -> str:
+    """The tag by which a manifest declares the package *name*: whose headers are included is needed by more than tools and tests."""
+    if any(use.is_header for use in uses):
+        return "depend"
+    return (
+        "test_depend" if name.startswith(_TESTING) else "buildtool_depend" if name.startswith(BUILD_TOOLS) else "depend"
     )
 
 
