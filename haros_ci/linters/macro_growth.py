@@ -66,16 +66,22 @@ def _rest(place: int) -> int:
 class Expansions:
     """How far *defined* macros expand. Of those with one name, each part has the largest size that a definition gives it.
 
-    So no macro expands further where some of the definitions are all that there are.
+    As a *bound*, arguments count at least once, though a macro may drop them: then no macro, and no text, expands further where some of the
+    definitions are all that there are, unless reading *is_cut*.
     """
 
-    def __init__(self, defined: Collection[Macro]) -> None:
+    def __init__(self, defined: Collection[Macro], *, bound: bool = False) -> None:
+        #: How often an argument counts at least.
+        self.least = int(bound)
+        #: Whether something was not read, as it is too long or nested too deeply.
+        self.is_cut = False
         self._names = {macro.name for macro in defined}
         self._functions = {macro.name for macro in defined if macro.parameters is not None}
         self._tails: dict[str, list[str]] = {}
         for macro in defined:
-            if macro.parameters is None and macro.body and macro.body[-1] != macro.name:
-                self._tails.setdefault(macro.name, []).append(macro.body[-1])
+            tail = macro.body[-1] if macro.parameters is None and macro.body else ""
+            if tail in self._names and tail != macro.name:
+                self._tails.setdefault(macro.name, []).append(tail)
         self._callees: dict[str, tuple[str, ...]] = {}
         self._forms: dict[str, Form] = {}
         #: Whether the sizes are as large as they become, and not only as far as they were counted.
@@ -136,6 +142,7 @@ class Expansions:
         at, total = 0, 0
         while match := self._calls.search(text, at):
             tokens, at = _invocation(text, match.start())
+            self.is_cut = self.is_cut or len(tokens) == _LONGEST
             size = _Reading(self, tokens, {}, "").item().get(OWN, 0)
             total += size
             if size > MOST_TOKENS or total > MOST_TOGETHER:
@@ -147,7 +154,10 @@ class Expansions:
         known = self._callees.get(name)
         if known is None:
             seen, todo = {name: None}, [name]
-            while todo and len(seen) <= _MOST_NAMES:
+            while todo:
+                if len(seen) > _MOST_NAMES:
+                    self.is_cut = True
+                    break
                 for tail in self._tails.get(todo.pop(), ()):
                     if tail not in seen:
                         seen[tail] = None
@@ -226,16 +236,20 @@ class _Reading:
             return {self._parameters[token]: 1}
         if token == self._own:
             return _NOTHING
-        form = self._expansions.call(token) if self._next() == "(" and depth < _DEEPEST else None
+        form = self._expansions.call(token) if self._next() == "(" else None
+        if depth >= _DEEPEST and form is not None:
+            self._expansions.is_cut, form = True, None
         if form is None:
             return self._expansions.of(token) or _NOTHING
         self.at += 1
         size, arguments = {OWN: form.get(OWN, 0)}, self._arguments(depth + 1)
+        for argument in arguments if self._expansions.least else ():
+            _add(size, argument)
         for key, count in form.items():
             if key != OWN:
                 given = arguments[key : key + 1] if key >= 0 else arguments[_rest(key) :]
                 for argument in given:
-                    _add(size, argument, count)
+                    _add(size, argument, count - min(count, self._expansions.least))
         return size
 
     def _next(self) -> str:
@@ -271,9 +285,10 @@ def expanding(units: Sequence[Unit], texts: Mapping[str, str]) -> Iterator[str]:
     """
     defined = {path: list(macros(text)) for path, text in texts.items()}
     called = {path: frozenset(_CALLED.findall(text)) for path, text in texts.items()}
-    together = Expansions([macro for found in defined.values() for macro in found])
+    together = Expansions([macro for found in defined.values() for macro in found], bound=True)
     if together.is_settled and not together.is_large:
-        if not any(together.is_exceeded_in(text, called[path]) for path, text in texts.items()):
+        is_small = not any(together.is_exceeded_in(text, called[path]) for path, text in texts.items())
+        if is_small and not together.is_cut:
             return
     tables: dict[tuple[str, ...], Expansions] = {}
     exceeded: dict[tuple[tuple[str, ...], str], bool] = {}

@@ -98,6 +98,32 @@ def test_a_circle_of_macros_in_files_that_never_meet_is_none(tmp_path: Path) -> 
     assert declined_by_cppcheck(tmp_path, files) == {}
 
 
+MANY = f"#define P(x) {'x ' * 100}\n"
+CALLS = "int a = Q(Q(Q(1)));\n"
+
+
+@pytest.mark.parametrize(
+    ("own", "other"),
+    [
+        # in the other file F drops what it is given
+        (f"{MANY}#define Q(x) F(P(x))\n{CALLS}", "#define F(x) 0\n"),
+        # or calls of F are nested deeper than is read
+        (f"{MANY}#define Q(x) {'F(' * 70}P(x){')' * 70}\n{CALLS}", "#define F(x) x\n"),
+        # or E stands for much else
+        (
+            f"{MANY}#define E P\n#define Q(x) E(x)\n{CALLS}",
+            "".join(f"#define T{n}(x) x\n#define E T{n}\n" for n in range(70)),
+        ),
+        # or what is called is a name without arguments
+        (f"{MANY}#define Q(x) P(x)\n{CALLS}", "#define P 1\n"),
+    ],
+)
+def test_macros_of_a_file_that_is_not_included_hide_nothing(tmp_path: Path, own: str, other: str) -> None:
+    files = {"src/a.cpp": own, "src/b.cpp": other}
+    assert declined_by_cppcheck(tmp_path / "alone", {"src/a.cpp": own}) == {"src/a.cpp": growth.LARGE_EXPANSION}
+    assert "src/a.cpp" in declined_by_cppcheck(tmp_path / "both", files)
+
+
 @pytest.mark.parametrize(("text", "tables"), [("#define MAX(a, b) ((a) > (b) ? (a) : (b))\n", 1), (doubled(40), 31)])
 def test_many_files_that_include_one_are_looked_at_together(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, text: str, tables: int
@@ -105,9 +131,11 @@ def test_many_files_that_include_one_are_looked_at_together(
     made: list[int] = []
     init = macro_growth.Expansions.__init__
 
-    def counting(self: macro_growth.Expansions, defined: Collection[macro_growth.Macro]) -> None:
+    def counting(
+        self: macro_growth.Expansions, defined: Collection[macro_growth.Macro], *, bound: bool = False
+    ) -> None:
         made.append(len(defined))
-        init(self, defined)
+        init(self, defined, bound=bound)
 
     monkeypatch.setattr(macro_growth.Expansions, "__init__", counting)
     own = {f"src/{n}.cpp": f'#include "a.hpp"\n#define N{n} {n}\nint a = MAX(1, N{n});\n' for n in range(30)}
