@@ -9,12 +9,14 @@ from __future__ import annotations
 import posixpath
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from itertools import islice
 
 from haros_ci.model.copyright_owners import owner_lines, owners_of, words
 from haros_ci.model.package import SourceFile
 from haros_ci.model.workspace import Workspace
 from haros_ci.regex import regex
 from haros_ci.workspace.generated import leading_comment
+from haros_ci.workspace.selection import parents
 from haros_ci.workspace.single_copies import OF_ROS
 from haros_ci.workspace.third_party import is_licence
 
@@ -48,14 +50,14 @@ def foreign_projects(workspace: Workspace, people: Mapping[str, frozenset[str]])
     inside: dict[str, list[SourceFile]] = {directory: [] for directory in _candidates(workspace, licences)}
     for file in workspace.files if inside else ():
         if _is_code(file):
-            outer = next((directory for directory in _around(file.path) if directory in inside), "")
-            if outer:
-                inside[outer].append(file)
+            for outer in parents(file.path):
+                if outer in inside:
+                    inside[outer].append(file)
     own = _own_words(workspace, people) if inside else frozenset()
     found: set[str] = set()
     for directory, files in inside.items():
         owners = _named(_texts(workspace, licences[directory])) or _named(_heads(workspace, files))
-        above = (name for outer in _around(directory) for name in licences.get(outer, ()))
+        above = (name for outer in (*parents(directory), "") for name in licences.get(outer, ()))
         if files and owners and owners.isdisjoint(own | _named(_texts(workspace, above))):
             if not _is_of_ros(workspace, files) and not _is_by_another(workspace, directory, owners):
                 found.add(directory)
@@ -76,19 +78,13 @@ def _candidates(workspace: Workspace, licences: Mapping[str, Sequence[str]]) -> 
     packages = {package.path for package in workspace.packages}
     if "." in packages or not licences:
         return
-    taken = packages | {directory for package in packages for directory in _around(package)}
+    taken = packages | {directory for package in packages for directory in parents(package)}
     tops = {posixpath.dirname(name) for name in workspace.names if _TOP.fullmatch(posixpath.basename(name))}
     found: set[str] = set()
     for directory in sorted(licences.keys() & tops - taken - {""}):
-        if not any(outer in packages or outer in found for outer in _around(directory)):
+        if not any(outer in packages or outer in found for outer in parents(directory)):
             found.add(directory)
             yield directory
-
-
-def _around(path: str) -> Iterator[str]:
-    """The directories around *path*, the outermost first; "" is the root."""
-    parts = path.split("/")
-    return ("/".join(parts[:number]) for number in range(len(parts)))
 
 
 def _named(texts: Iterable[str]) -> frozenset[str]:
@@ -111,13 +107,8 @@ def _texts(workspace: Workspace, names: Iterable[str]) -> Iterator[str]:
 
 def _heads(workspace: Workspace, files: Iterable[SourceFile]) -> Iterator[str]:
     """The first comments of the first of *files* that are code."""
-    number = 0
-    for file in files:
-        if _is_code(file):
-            number += 1
-            if number > _MOST_FILES:
-                return
-            yield leading_comment(file.language, workspace.text(file.path)[:_MOST].encode("utf-8", "replace"))
+    for file in islice(filter(_is_code, files), _MOST_FILES):
+        yield leading_comment(file.language, workspace.text(file.path)[:_MOST].encode("utf-8", "replace"))
 
 
 def _is_by_another(workspace: Workspace, directory: str, owners: frozenset[str]) -> bool:

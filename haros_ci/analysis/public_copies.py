@@ -106,8 +106,8 @@ def quiet(workspace: Workspace, settings: Settings) -> Workspace:
     is_compared = settings.baseline or settings.baseline_rev or settings.base_missing
     if is_compared or settings.with_copies or workspace.targets is not None:
         return workspace
-    directories, changed = _copies(workspace)
-    people = {package.path: _people(package, workspace) for package in workspace.packages}
+    people = _people_of(workspace)
+    directories, changed = _copies(workspace, people)
     directories |= foreign_projects(workspace, people)
     if not directories:
         return workspace
@@ -124,12 +124,11 @@ def copies(workspace: Workspace) -> frozenset[str]:
     A package is one if a distribution has its name, or that of the page or repository that it names, or it is a driver that its maker publishes, or it lies in an archive that was
     downloaded, or it was put in whole and hardly changed (imported_copies), or it was never released and stands beside one that is in all else its like; and if it names people, none of whom any other package names; outside of archives its name may not begin as one of those either. With nothing of its own a workspace is the original.
     """
-    return _copies(workspace)[0]
+    return _copies(workspace, _people_of(workspace))[0]
 
 
-def _copies(workspace: Workspace) -> tuple[frozenset[str], frozenset[str]]:
-    """These directories, and the files below them that the team has changed in packages that are no public ones."""
-    people = {package.path: _people(package, workspace) for package in workspace.packages}
+def _copies(workspace: Workspace, people: Mapping[str, frozenset[str]]) -> tuple[frozenset[str], frozenset[str]]:
+    """These directories, and the files below them that the team has changed in packages that are no public ones; *people* are those of each package by its path."""
     put_in = imported(workspace, people, lambda package: _manifest(package, workspace))
     public = _public(workspace)
     candidates = [*public, *(one for one in workspace.packages if one.path in put_in and one not in public)]
@@ -250,6 +249,10 @@ def _manifest(package: Package, workspace: Workspace) -> str:
 
 def _is_archived(path: str) -> bool:
     return any(map(_ARCHIVE.fullmatch, path.split("/")))
+
+
+def _people_of(workspace: Workspace) -> Mapping[str, frozenset[str]]:
+    return {package.path: _people(package, workspace) for package in workspace.packages}
 
 
 def _people(package: Package, workspace: Workspace) -> frozenset[str]:
