@@ -79,7 +79,7 @@ def _remedy(package: ProjectPackage, path: str, file: str, script: str) -> str:
     where = next(install.destination for install in package.build.installed if install.path == script)
     dotted = _dotted(path, package)
     place = f"install {file} to {where or 'the same directory'}, too"
-    if dotted.partition(".")[0] == script.rpartition("/")[2].removesuffix(".py") != "":  # it finds itself first
+    if dotted and dotted.partition(".")[0] == script.rpartition("/")[2].removesuffix(".py"):  # it finds itself first
         return place
     is_old = package.ros == 1
     if dotted:

@@ -7,7 +7,7 @@ import re
 from collections.abc import Iterator
 
 from haros_ci.api import Check, Edit, Finding, Fix, Level, Location, Project, ProjectPackage, is_slip, listed, regex
-from haros_ci.api.launch import ProgramUse
+from haros_ci.api.launch import started_programs
 from haros_ci.api.packages import (
     EntryPoint,
     entry_point_mistake,
@@ -30,21 +30,15 @@ _SECTIONS = {"develop": "script_dir", "install": "install_scripts"}
 
 
 def check(project: Project) -> Iterator[Finding]:
-    launched = {
-        (use.package, use.program)
-        for system in project.systems
-        for use in system.facts(ProgramUse)
-        if use.kind == "executable"
-    }
     for package in project.packages:
         yield from _entry_points(package)
         if package.raw.build_type == "ament_python" and package.has("setup.py"):
-            yield from lost_imports(package, launched)
-            yield from _directories(package, launched)
+            yield from lost_imports(package)
+            yield from _directories(package)
             yield from _marker(package)
             yield from _packages(package)
         elif package.build.python_roots:
-            yield from lost_imports(package, launched)
+            yield from lost_imports(package)
 
 
 def _entry_points(package: ProjectPackage) -> Iterator[Finding]:
@@ -195,12 +189,13 @@ def _replaced(entry_point: EntryPoint, old: str, new: str, package: ProjectPacka
     return (Fix(f"start {new}", (Edit(entry_point.location.path, start, end, new),)),)
 
 
-def _directories(package: ProjectPackage, launched: set[tuple[str, str]]) -> Iterator[Finding]:
+def _directories(package: ProjectPackage) -> Iterator[Finding]:
     """setup.cfg: programs have to go to ``lib/<package>`` to be found by ros2 run and launch files."""
+    started = started_programs(package)
     nodes = [
         entry_point
         for entry_point in package.build.entry_points
-        if _is_node(entry_point, package) or (package.name, entry_point.name) in launched
+        if _is_node(entry_point, package) or entry_point.name in started
     ]
     if not nodes:
         return

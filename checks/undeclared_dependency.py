@@ -48,7 +48,6 @@ _TESTING = (
 )
 _GENERATORS = ("rosidl_default_generators", "message_generation")
 _SHOWN = 3
-_INCLUDE = regex(r"^[ \t]*#[ \t]*include[ \t]*[<\"]([^<>\"\n]{1,200})[>\"]", re.MULTILINE)
 #: A condition of CMake that reads a variable that ros_environment sets.
 _VARIABLE = regex(r"^[ \t]*(?:else)?if[ \t]*\([^\n#]*\$ENV\{(ROS_DISTRO|ROS_VERSION)\}", re.IGNORECASE | re.MULTILINE)
 
@@ -145,9 +144,8 @@ def _finding(
     others = others_of(providers, name, package) if name != HEADERS else []
     kind = _kind(name, uses)
     is_test = kind == "test_depend"
-    idle = idle_commands(package, name, uses) if not brought else ()
-    is_idle = bool(idle) and not _leads_to_headers(package, name, provisions)
-    is_certain = not others and is_of_ros(name, package.project) and not is_idle and not is_test
+    idle = idle_commands(package, name, uses, provisions) if not brought else ()
+    is_certain = not others and is_of_ros(name, package.project) and not idle and not is_test
     fix = add_dependency(package, kind, name) if is_certain else None
     own, parts = _own(package, brought)
     tags = listed([dependency_tags(package, kind, key) for key in (*keys, *own)])
@@ -158,7 +156,7 @@ def _finding(
     return Finding(
         at=last_dependency(package),
         message=f"{package.name} needs {packages} to build ({uses[0].what}), but package.xml does not declare {'it' if len(keys) == 1 else 'them'}: the build "
-        f"fails on a machine without {packages}; {_removal(idle) if is_idle else guard}add {tags}{_besides(name, others, parts, bool(own))}{said_misplaced(package, providers)}{said_never(package, providers)}",
+        f"fails on a machine without {packages}; {_removal(idle) if idle else guard}add {tags}{_besides(name, others, parts, bool(own))}{said_misplaced(package, providers)}{said_never(package, providers)}",
         about=(package.name, name),
         related=tuple(
             (use.location, f"needs {other}: {use.what}")
@@ -205,24 +203,6 @@ def _own(package: ProjectPackage, brought: Sequence[list[Need]]) -> tuple[dict[s
 def _removal(commands: Sequence[str]) -> str:
     """What is better than to declare what nothing uses."""
     return f"nothing else here uses it: remove it from {listed([f'{command}()' for command in commands])}, or "
-
-
-def _leads_to_headers(package: ProjectPackage, name: str, provisions: Provisions) -> bool:
-    """Whether sources include headers of what comes with *name*, and find_package() names nothing else that brings them: the path to them
-    may come with *name* alone, as that of Eigen does.
-    """
-    known = package.project.knowledge
-    found = {word for command in package.commands("find_package") for word in command.arguments} - {name}
-    by_others = found.union(*(known.provider_of_cmake(word) or () for word in found))
-    by_others = by_others.union(*(provisions.closure(word, package.ros) for word in sorted(by_others)))
-    inner = provisions.closure(name, package.ros) - {name}
-    for file in package.files if inner else ():
-        if file.language == "cpp":
-            for included in _INCLUDE.finditer(package.project.text(file.path)):
-                providers = known.provider_of_header(included[1]) or frozenset()
-                if providers & inner and not providers & by_others:
-                    return True
-    return False
 
 
 def _is_built_from_source(project: Project, providers: frozenset[str]) -> bool:

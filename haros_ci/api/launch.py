@@ -11,6 +11,7 @@ from haros_ci.checking.old_distributions import is_called_old, is_tried, told_of
 from haros_ci.checking.optional import is_optional
 from haros_ci.checking.outside_arguments import outside_file
 from haros_ci.checking.share_uses import share_uses
+from haros_ci.checking.started import started_programs
 from haros_ci.checking.unread_values import is_undeclared_value, is_unread_argument, unread_parameter
 from haros_ci.checking.yaml_texts import yaml_fault
 from haros_ci.model.launch_facts import (
@@ -69,6 +70,7 @@ __all__ = [
     "share_uses",
     "similar_files",
     "similar_names",
+    "started_programs",
     "told_of",
     "unread_parameter",
     "yaml_fault",

@@ -162,9 +162,9 @@ from haros_ci.model.element import Element
 from haros_ci.model.package import Dependency, Package, SourceFile
 
 __all__ = [
-    "BUILD_TOOLS",
     "AMENT",
     "BUILD",
+    "BUILD_TOOLS",
     "Build",
     "CATKIN",
     "CMake",

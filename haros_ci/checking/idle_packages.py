@@ -9,6 +9,7 @@ from collections.abc import Iterable
 from haros_ci.checking.known_commands import is_well_known
 from haros_ci.checking.needs import Need
 from haros_ci.checking.project import ProjectPackage
+from haros_ci.checking.provision import Provisions
 from haros_ci.regex import regex
 
 #: The beginnings of names of packages that only the build needs.
@@ -30,8 +31,10 @@ _DEFINED = regex(r"^[ \t]*(?:function|macro)[ \t]*\([ \t]*(\w{1,100})", re.IGNOR
 _PASSING = ("ament_target_dependencies", "ament_export_dependencies")
 
 
-def idle_commands(package: ProjectPackage, name: str, uses: Iterable[Need]) -> tuple[str, ...]:
-    """The commands that alone name the package *name*, find_package() and those that pass it on; empty where a source, interface or launch file uses it."""
+def idle_commands(package: ProjectPackage, name: str, uses: Iterable[Need], provisions: Provisions) -> tuple[str, ...]:
+    """The commands that alone name the package *name*, find_package() and those that pass it on; empty where a source, interface or launch file uses it,
+    or what comes with it.
+    """
     if any(use.is_header or use.what != f"find_package({name})" for use in uses) or name.startswith(BUILD_TOOLS):
         return ()
     word = re.compile(rf"\b{re.escape(name)}\b")
@@ -49,7 +52,7 @@ def idle_commands(package: ProjectPackage, name: str, uses: Iterable[Need]) -> t
             and any(name in argument for argument in command.arguments[1:])
         ):
             return ()
-    if _calls_unknown(package) or _is_mentioned(package, name, word):
+    if _calls_unknown(package) or _is_mentioned(package, name, word) or _leads_to_headers(package, name, provisions):
         return ()  # a package that is found may define the command
     return "find_package", *dict.fromkeys(passing)
 
@@ -78,3 +81,21 @@ def _calls_unknown(package: ProjectPackage) -> bool:
     files = (path for path in package.project.workspace.names if path.endswith((".cmake", "CMakeLists.txt")))
     defined = {found[1].lower() for path in files for found in _DEFINED.finditer(package.project.text(path))}
     return not called <= defined
+
+
+def _leads_to_headers(package: ProjectPackage, name: str, provisions: Provisions) -> bool:
+    """Whether sources include headers of what comes with *name*, and find_package() names nothing else that brings them: the path to them
+    may come with *name* alone, as that of Eigen does.
+    """
+    known = package.project.knowledge
+    found = {word for command in package.commands("find_package") for word in command.arguments} - {name}
+    by_others = found.union(*(known.provider_of_cmake(word) or () for word in found))
+    by_others = by_others.union(*(provisions.closure(word, package.ros) for word in sorted(by_others)))
+    inner = provisions.closure(name, package.ros) - {name}
+    for file in package.files if inner else ():
+        if file.language == "cpp":
+            for included in _INCLUDE.finditer(package.project.text(file.path)):
+                providers = known.provider_of_header(included[1]) or frozenset()
+                if providers & inner and not providers & by_others:
+                    return True
+    return False

@@ -11,8 +11,8 @@ from functools import lru_cache
 from haros_ci.checking.needs import Need
 from haros_ci.checking.project import ProjectPackage
 from haros_ci.checking.provision import Sources, exists
+from haros_ci.checking.started import started_programs
 from haros_ci.checking.worlds import serves_both
-from haros_ci.model.launch_facts import ProgramUse
 from haros_ci.model.location import Location
 from haros_ci.regex import regex
 from haros_ci.results.module_names import EXTENSIONS
@@ -192,21 +192,11 @@ def _started_in_place(package: ProjectPackage) -> frozenset[str]:
     """
     if package.ros != 1:
         return frozenset()
-    started = _started(package)
+    started = started_programs(package)
     named: dict[str, list[str]] = {}
     for path in (*package.build.scripts, *(thing.path for thing in package.build.installed)):
         named.setdefault(path.rpartition("/")[2], []).append(path)
     return frozenset(paths[0] for name, paths in named.items() if name in started and len(set(paths)) == 1)
-
-
-def _started(package: ProjectPackage) -> frozenset[str]:
-    """The programs of *package* that launch files start."""
-    return frozenset(
-        use.program
-        for system in package.project.systems
-        for use in system.facts(ProgramUse)
-        if use.package == package.name and use.kind == "executable"
-    )
 
 
 def _unused(package: ProjectPackage, requested: set[str], python: list[str]) -> frozenset[str]:
@@ -220,7 +210,7 @@ def _unused(package: ProjectPackage, requested: set[str], python: list[str]) -> 
     scripts = {path for path in below if _MAIN.search(project.text(path))}
     if not scripts:
         return frozenset()
-    started = _started(package)
+    started = started_programs(package)
     scripts = {path for path in scripts if path.rpartition("/")[2] not in started}
     modules: dict[str, list[str]] = {}
     for path in below:

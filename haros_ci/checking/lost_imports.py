@@ -3,20 +3,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Set
+from collections.abc import Iterator
 
 from haros_ci.checking.check import Finding
 from haros_ci.checking.own_modules import LostImport, OwnModules
 from haros_ci.checking.project import ProjectPackage
+from haros_ci.checking.started import started_programs
 from haros_ci.checking.unlisted_modules import unlisted_modules
 from haros_ci.model.location import Location
 
 
-def lost_imports(package: ProjectPackage, launched: Set[tuple[str, str]]) -> Iterator[Finding]:
+def lost_imports(package: ProjectPackage) -> Iterator[Finding]:
     """Modules and names that programs of *package* import of it, and that Python does not find, or not once it is installed.
 
-    Programs are the ``console_scripts`` of a package of ament_python, and of others the scripts that CMake installs, or that a launch file starts:
-    *launched* are packages and programs.
+    Programs are the ``console_scripts`` of a package of ament_python, and of others the scripts that CMake installs, or that a launch file starts.
     """
     own = OwnModules(package, package.project.sources)
     if package.raw.build_type == "ament_python":
@@ -26,9 +26,10 @@ def lost_imports(package: ProjectPackage, launched: Set[tuple[str, str]]) -> Ite
         yield from unlisted_modules(package)
         return
     installed = {one.path: one.location for one in package.build.installed if one.kind == "program"}
+    started = started_programs(package)
     for path in package.build.scripts:
         name = path.rpartition("/")[2]
-        if path in installed or (package.name, name) in launched:
+        if path in installed or name in started:
             for lost in own.lost_by_script(path):
                 yield _finding(lost, name, installed.get(path, Location(path, 1)), package)
 

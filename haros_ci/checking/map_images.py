@@ -48,7 +48,7 @@ def lost_images(project: Project) -> Iterator[LostImage]:
     names = project.workspace.names
     for package in project.packages:
         for name in project.below(package.path):
-            if not name.endswith((".yaml", ".yml")) or _ASIDE.search(name) or package is not _owner(project, name):
+            if not name.endswith((".yaml", ".yml")) or _ASIDE.search(name):
                 continue
             text = project.text(name)
             found = _IMAGE.search(text) if all(re.search(rf"(?m)^{word}:", text) for word in _OTHERS) else None
@@ -61,12 +61,6 @@ def lost_images(project: Project) -> Iterator[LostImage]:
             if not _is_written(project, posixpath.splitext(posixpath.basename(path))[0]):
                 location = Location(name, text.count("\n", 0, found.start()) + 1)
                 yield LostImage(location, package, path, _advice(project, name, path), name in _used(project))
-
-
-def _owner(project: Project, name: str) -> ProjectPackage | None:
-    """The innermost package that the file lies in."""
-    inside = (package for package in project.packages if name.startswith(package.inside("")))
-    return max(inside, key=lambda package: len(package.inside("")), default=None)
 
 
 def _used(project: Project) -> frozenset[str]:

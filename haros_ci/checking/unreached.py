@@ -9,9 +9,9 @@ from posixpath import basename, dirname, splitext
 
 from haros_ci.checking.imports import imported_words, reached_from
 from haros_ci.checking.project import ProjectPackage
+from haros_ci.checking.started import started_programs
 from haros_ci.checking.unstarted import is_unstarted
 from haros_ci.model.former_names import is_archived
-from haros_ci.model.launch_facts import ProgramUse
 from haros_ci.regex import regex
 
 #: Directories of what is not in use yet, beside those of what is no longer.
@@ -37,7 +37,7 @@ def unreached(package: ProjectPackage, paths: Iterable[str]) -> frozenset[str]:
     found = {path for path in candidates - loose - scripts if used and is_unstarted(package.project, path)}
     if not candidates & loose:
         return frozenset(found)
-    started = frozenset(_started(package))
+    started = started_programs(package)
     loose = {path for path in loose if basename(path) not in started}
     by_name: dict[str, list[str]] = {}
     for path in loose:
@@ -79,14 +79,6 @@ def _imported(package: ProjectPackage, path: str, by_name: Mapping[str, list[str
             folder = dirname(dirname(item) if basename(item) == "__init__.py" else item)
             if item != path and (folder in (dirname(path), package.path, "") or basename(folder) in words):
                 yield item
-
-
-def _started(package: ProjectPackage) -> Iterator[str]:
-    """The programs of *package* that launch files start."""
-    for system in package.project.systems:
-        for use in system.facts(ProgramUse):
-            if use.package == package.name and use.kind == "executable" and use.program is not None:
-                yield use.program
 
 
 def _name_of(path: str) -> str:

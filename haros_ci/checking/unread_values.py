@@ -7,9 +7,11 @@ import re
 from collections.abc import Iterator
 from weakref import WeakKeyDictionary
 
+from haros_ci.checking.given import Given
 from haros_ci.checking.system import System
 from haros_ci.checking.whole import Whole
 from haros_ci.model.launch_facts import ArgumentDeclaration, FileUse
+from haros_ci.model.location import Location
 from haros_ci.regex import regex
 
 #: Files of code that are looked at; where there are more, nothing is known.
@@ -34,6 +36,8 @@ _BY_NAME = "launch_configurations"
 
 #: The words of all code, by what is known of the whole workspace.
 _words: WeakKeyDictionary[Whole, frozenset[str]] = WeakKeyDictionary()
+#: The parameters that nodes are given, by their places, for each system.
+_places: WeakKeyDictionary[System, dict[tuple[Location, str], list[Given]]] = WeakKeyDictionary()
 
 
 def unread_parameter(system: System, path: str, argument: str) -> str:
@@ -79,7 +83,12 @@ def is_undeclared_value(system: System, use: FileUse) -> bool:
     """Whether the file is named only by the value of a parameter that no node of ROS 2 which is given it declares: nothing reads it."""
     if use.kind != "value" or use.ros != 2 or not use.name:
         return False
-    given = [parameter for parameter in system.given if parameter.key == use.name and parameter.at == use.location]
+    places = _places.get(system)
+    if places is None:
+        places = _places[system] = {}
+        for parameter in system.given:
+            places.setdefault(parameter.place, []).append(parameter)
+    given = places.get((use.location, use.name), ())
     return bool(given) and all(parameter.node.names.has(parameter.key) is False for parameter in given)
 
 
