@@ -204,7 +204,7 @@ OTHERS: tuple[SilencingRow, ...] = (
     SilencingRow(
         "all tools",
         (
-            "directories called `third_party`, `vendor`, `external` …, or like their package with `_backup`, `_old`, … behind it, or with `(no usado)`, `(unused)` … behind any name, a licence in a directory inside a package, the version of a release, or the branch of a download (`solver-master`), in the name of a directory with a licence, and the files of a well-known library",
+            "directories called `third_party`, `vendor`, `external` …, or like their package with `_backup`, `_old`, … behind it, or with `(no usado)`, `(unused)` … behind any name, or around packages and called `not_used`, `pkg_not_use` …, a licence in a directory inside a package, the version of a release, or the branch of a download (`solver-master`), in the name of a directory with a licence, and the files of a well-known library",
         ),
         "all findings in that directory",
         SettingOrigin.BASE,

@@ -9,7 +9,7 @@ def hyphens(data: bytes, index: int) -> str:
 
     A comment ends at ``-->``, and has no ``--`` before (XML 1.0, 2.5): one that stands in another one begins with them.
     """
-    if data[index - 2 : index] != b"--" or index < 2:
+    if data[index - 2 : index] != b"--":
         return ""
     begin = data.find(b"<!--", data.rfind(b"-->", 0, index) + 1)
     if not 0 <= begin < index - 4:
