@@ -13,6 +13,7 @@ from haros_ci.follow import (
     alternatives,
     call_arguments,
     callbacks,
+    chains,
     commands,
     construct,
     counters,
@@ -42,9 +43,6 @@ from haros_ci.values.abstract import (
 )
 from haros_ci.values.effects import Effects
 from haros_ci.values.state import Writes
-
-#: Steps that a second rehearsal of all callbacks may take.
-CHEAP = 2_000
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -153,12 +151,7 @@ def _call_back(walk: Walk, frame: Frame) -> None:
     while done < min(len(walk.roots), ROOTS) or uncalled.register(walk):
         batch = walk.roots[done:ROOTS]
         _rehearse_all(walk, frame)
-        every = walk.effects.copy()
-        if walk.rehearsed < CHEAP:  # what one leaves behind may change what another does
-            effects = every.every
-            for number, root in enumerate(batch, start=done):
-                effects[number] = _counted(effects[number], _rehearsed(walk, frame, root, walk.effects, number))
-            every = Effects(effects)
+        every = chains.followed(walk, batch, done, partial(_rehearsed, walk, frame), _counted)
         found = disturbances.changed(every.together)  # each of the batch begins with what holds now
         for number, root in sorted(enumerate(batch, start=done), key=lambda item: _rank(walk, item[1])):
             if root.is_setup or not inert.may_make(walk, root.function, ()):
