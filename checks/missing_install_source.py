@@ -7,7 +7,7 @@ import posixpath
 from collections.abc import Iterator, Mapping
 from difflib import get_close_matches
 
-from haros_ci.api import Check, Finding, Level, Project, ProjectPackage, regex
+from haros_ci.api import Check, Finding, Level, Project, ProjectPackage, alternatives, regex
 from haros_ci.api.launch import similar_files
 from haros_ci.api.packages import (
     NO_ENTRIES,
@@ -120,9 +120,9 @@ def _instead(package: ProjectPackage, path: str, is_directory: bool) -> str:
     beside = sorted(
         f"{prefix}{name}" for name in entries_of(package.project.workspace.names).get(folder, NO_ENTRIES).names
     )
-    near = similar_files(path, beside, package.name)
+    near = alternatives([name.removeprefix(prefix) for name in similar_files(path, beside, package.name)])
     if near:
-        return f"did you mean {near[0].removeprefix(prefix)}?"
+        return f"did you mean {near}?"
     return (
         f"add an empty file {shown}"
         if folder.endswith("resource") and base == package.name
@@ -164,11 +164,12 @@ def _finding(
     only = exported.get(posixpath.splitext(path)[1])
     ended = [f"{prefix}{name}" for name in sorted(beside) if posixpath.splitext(name)[0] == posixpath.basename(path)]
     near = [only] if only else ended or similar_files(path, sorted(f"{prefix}{name}" for name in beside), package.name)
+    meant = alternatives([name.removeprefix(prefix) for name in near])
     alike = _directory_like(path, package, named) if not near and not posixpath.splitext(path)[1] else ""
     if "*" in word or "?" in word:
         hint = "install() does not expand patterns; list the files with file(GLOB), or install the directory"
-    elif near:
-        hint = f"did you mean {near[0].removeprefix(prefix)}?"
+    elif meant:
+        hint = f"did you mean {meant}?"
     elif alike:
         hint = f"did you mean {alike}?"
     elif posixpath.splitext(path)[1]:

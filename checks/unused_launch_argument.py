@@ -5,10 +5,21 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from difflib import get_close_matches
 from functools import cached_property
 
-from haros_ci.api import Check, Finding, Level, Location, System, listed, nearest, regex, spelled_out
+from haros_ci.api import (
+    Check,
+    Finding,
+    Level,
+    Location,
+    System,
+    all_nearest,
+    alternatives,
+    equally_near,
+    listed,
+    regex,
+    spelled_out,
+)
 from haros_ci.api.launch import (
     ArgumentDeclaration,
     IncludeUse,
@@ -148,8 +159,7 @@ def _passed_to_ros1(use: IncludeUse, file: str, unknown: list[PassedArgument], f
 
 
 def _meant(name: str, free: list[str]) -> tuple[str, ...]:
-    found = nearest(name, free, 0.7)
-    return () if found is None else (found,)
+    return all_nearest(name, free, 0.7)
 
 
 def _passed_outside(system: System) -> Iterator[Finding]:
@@ -221,9 +231,9 @@ def _is_set(argument: ArgumentDeclaration, text: _Text) -> bool:
 
 def _advice(argument: ArgumentDeclaration, text: _Text) -> str:
     """What to do; with the name that the file reads without declaring it, where that is nearly the same."""
-    near = get_close_matches(argument.name[:100], text.undeclared, 1, _NEAR)
+    near = alternatives([repr(name) for name in equally_near(argument.name[:100], text.undeclared, _NEAR)])
     if near:
-        return f"the file reads {near[0]!r}, which it does not declare: give both the same name"
+        return f"the file reads {near}, which it does not declare: give both the same name"
     return "use it, or remove the declaration"
 
 
