@@ -95,11 +95,12 @@ class ArgumentRead(LaunchFact):
     """A launch argument or configuration *name* that is read, but that nothing can have declared or set before.
 
     *similar* are names that are set there, nearest first. Certain only for the launched file as it is: with ROS 2 a launch
-    file outside the workspace that includes it may set the name.
+    file outside the workspace that includes it may set the name. *is_undecided* says that a condition around it (ROS 1) may be false.
     """
 
     name: str
     similar: tuple[str, ...] = ()
+    is_undecided: bool = False
 
 
 @dataclass(frozen=True, slots=True)
