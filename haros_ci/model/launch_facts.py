@@ -160,11 +160,15 @@ class ConditionUse(LaunchFact):
 
 @dataclass(frozen=True, slots=True)
 class NodePattern:
-    """A section of a parameter file: the *pattern* of the nodes it is for; *matches* the node that got the file, or not."""
+    """A section of a parameter file: the *pattern* of the nodes it is for; *matches* the node that got the file, or not.
+
+    *keys* are the names of its parameters, () where it has none or too many.
+    """
 
     pattern: str
     location: Location
     matches: bool | None = None
+    keys: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
