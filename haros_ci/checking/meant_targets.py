@@ -51,9 +51,9 @@ def _hint(package: ProjectPackage, command: CMakeCommand, name: str) -> str:
 def _hint_of_several(package: ProjectPackage, command: CMakeCommand, wrong: tuple[str, ...]) -> str:
     """What to write instead of the libraries *wrong*: for each another one, or nothing."""
     near = [_near(package, command, name) for name in wrong]
-    each = [found[0] for found in near if len(found) == 1]
-    if len(each) == len(wrong) == len(set(each)):
-        return f"; did you mean {listed(each)}?"
+    meant = [found[0] for found in near if len(found) == 1]
+    if len(meant) == len(wrong) == len(set(meant)):
+        return f"; did you mean {listed(meant)}?"
     names = [candidate for candidate in meant_targets(package, command, wrong[0]) if candidate not in command.arguments]
     return f"{_instead(names)}: write the right ones, or remove the names" if names else "; remove the names"
 
