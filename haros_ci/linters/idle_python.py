@@ -80,17 +80,18 @@ class _Idle:
         if self._package_of(path) in self._of_ros2 and _ROS_1.search(text) and not _BOTH.search(text):
             return True
         tree = nodes(text)
-        if result.rule == "undefined-variable" and (self._is_old(result, text) or _is_fragment(tree)):
-            return not self._is_named(path)
+        if result.rule == "undefined-variable":
+            found = _QUOTED.search(result.message)
+            if found is not None and (self._is_old(found[1], path, text) or _is_fragment(tree, found[1])):
+                return not self._is_named(path)
         if result.rule in _OF_ARGUMENTS and (name := _stub(tree, line)):
             return not self._is_used(name, path, text)
         part = _part(tree, line) if result.rule not in _OF_DEFINITIONS and _MAIN.search(text) else ""
         return bool(part) and not is_found(part, text) and not self._is_used(part, path, text)
 
-    def _is_old(self, result: Result, text: str) -> bool:
-        """Whether the name is one of Python 2, in a file that does not ask for Python 3."""
-        name = _QUOTED.search(result.message)
-        return name is not None and name[1] in OF_PYTHON_2 and _PYTHON_3.match(text) is None
+    def _is_old(self, name: str, path: str, text: str) -> bool:
+        """Whether *name* is one of Python 2, in a file of no package that does not ask for Python 3."""
+        return name in OF_PYTHON_2 and self._package_of(path) is None and _PYTHON_3.match(text) is None
 
     def _is_named(self, path: str) -> bool:
         """Whether another file has the name of the file at *path*, without its ending."""
@@ -112,9 +113,11 @@ class _Idle:
         return (text for text in texts if word in text and pattern.search(text) is not None)
 
 
-def _is_fragment(tree: Sequence[ast.AST]) -> bool:
-    """Whether a file has nothing that makes names but assignments: lines to be typed into the shell of some tool."""
-    return bool(tree) and not any(isinstance(node, _MAKES) for node in tree)
+def _is_fragment(tree: Sequence[ast.AST], name: str) -> bool:
+    """Whether a file has nothing that makes names but assignments, and calls no function of that *name*: lines to be typed into the shell of some tool."""
+    calls = (node.func for node in tree if isinstance(node, ast.Call))
+    is_called = any(isinstance(one, ast.Name) and one.id == name for one in calls)
+    return bool(tree) and not is_called and not any(isinstance(node, _MAKES) for node in tree)
 
 
 def _part(tree: Sequence[ast.AST], line: int) -> str:

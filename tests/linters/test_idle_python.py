@@ -29,14 +29,17 @@ PORT = "import rospy\n\n\nclass Rates:\n    pass\n\n\nRates(1)  # HERE\n"
 STUB = "class Filter:\n    def __init__():  # HERE\n        pass\n"
 
 
-def level(root: Path, text: str, more: dict[str, str], rule: str, *, is_given: bool = False) -> Level:
-    """The level that an error of pylint at the line of HERE in heron/leg.py has."""
-    for path, content in {"heron/leg.py": text, "package.xml": ROS_2, **more}.items():
-        (root / path).parent.mkdir(parents=True, exist_ok=True)
-        (root / path).write_text(content, encoding="utf-8")
+def level(
+    root: Path, text: str, more: dict[str, str], rule: str, *, is_given: bool = False, path: str = "heron/leg.py"
+) -> Level:
+    """The level that an error of pylint at the line of HERE in *path* has."""
+    files = {path: text, "package.xml": ROS_2, **more}
+    for place, content in files.items() if path.startswith("heron/") else (*more.items(), (path, text)):
+        (root / place).parent.mkdir(parents=True, exist_ok=True)
+        (root / place).write_text(content, encoding="utf-8")
     line = text[: text.index("HERE")].count("\n") + 1
-    name = "raw_input" if "raw_input" in text else "x"
-    result = Result("pylint", rule, Level.ERROR, f"Undefined variable '{name}'", Location("heron/leg.py", line, 5))
+    name = "raw_input" if "raw_input" in text else "motor"
+    result = Result("pylint", rule, Level.ERROR, f"Undefined variable '{name}'", Location(path, line, 5))
     (weighed,) = with_idle_python([result], discover(root, (".",)), lambda result: is_given)
     return weighed.level
 
@@ -54,9 +57,6 @@ def level(root: Path, text: str, more: dict[str, str], rule: str, *, is_given: b
         # lines for the shell of a tool
         (SHELL, {}, "undefined-variable"),
         (SHELL, {"README.md": "Try it by hand.\n"}, "undefined-variable"),
-        # for Python 2, and nothing names it
-        (OLD, {}, "undefined-variable"),
-        ("#!/usr/bin/env python\n" + OLD, {}, "undefined-variable"),
         # for ROS 1, in a package of ROS 2
         (PORT, {}, "too-many-function-args"),
         (PORT, {"heron/leg.test": '<launch><test pkg="heron" type="leg.py" test-name="leg"/></launch>\n'}, "too-many-function-args"),
@@ -96,9 +96,8 @@ def test_nothing_runs_it(tmp_path: Path, text: str, more: dict[str, str], rule: 
         (SHELL, {"launch/a.launch.py": "cmd = ['leg.py']\n"}, "undefined-variable"),
         (SHELL, {}, "not-callable"),
         ("import motor_tools\n" + SHELL, {}, "undefined-variable"),
-        (OLD, {"run.sh": "python heron/leg.py\n"}, "undefined-variable"),
-        ("#!/usr/bin/env python3\n" + OLD, {}, "undefined-variable"),
-        (OLD.replace("raw_input", "read_input"), {}, "undefined-variable"),
+        (SHELL + "motor(1)\n", {}, "undefined-variable"),
+        (OLD, {}, "undefined-variable"),  # in a package
         (PORT, {"package.xml": ROS_1}, "too-many-function-args"),
         (PORT, {"package.xml": ROS_2.replace("<depend>", '<depend condition="$ROS_VERSION == 2">')}, "too-many-function-args"),
         ("try:\n    import rclpy\nexcept ImportError:\n    pass\n" + PORT, {}, "too-many-function-args"),
@@ -111,6 +110,24 @@ def test_nothing_runs_it(tmp_path: Path, text: str, more: dict[str, str], rule: 
 )  # fmt: skip
 def test_it_may_run(tmp_path: Path, text: str, more: dict[str, str], rule: str) -> None:
     assert level(tmp_path, text, more, rule) is Level.ERROR
+
+
+@pytest.mark.parametrize(
+    ("text", "more", "expected"),
+    [
+        (OLD, {}, Level.NOTE),
+        ("#!/usr/bin/env python\n" + OLD, {}, Level.NOTE),
+        ("#!/usr/bin/env python3\n" + OLD, {}, Level.ERROR),
+        (OLD, {"run.sh": "python tools/ask.py\n"}, Level.ERROR),
+        (OLD, {"tools/b.py": "import ask\n"}, Level.ERROR),
+        (OLD.replace("raw_input", "read_input"), {}, Level.ERROR),
+    ],
+)
+def test_names_of_python_2_in_a_file_of_no_package(
+    text: str, more: dict[str, str], expected: Level, tmp_path: Path
+) -> None:
+    more = {"heron/package.xml": ROS_2, **more}
+    assert level(tmp_path, text, more, "undefined-variable", path="tools/ask.py") is expected
 
 
 def test_of_other_tools_nothing_changes(tmp_path: Path) -> None:
