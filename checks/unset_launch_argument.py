@@ -27,7 +27,9 @@ def check(system: System) -> Iterator[Finding]:
         places.setdefault(fact.name, set()).add(fact.location.path)
         if f"$(var {fact.name})" in (fact.default or ""):
             own.add((fact.location.path, fact.name))
-    for read, others in _first(system.facts(ArgumentRead)):
+    reads = system.facts(ArgumentRead)
+    given = {read.location.path for read in reads if _OWN.search(read.name)}  # launched with arguments, on purpose
+    for read, others in _first(reads):
         # A launch file of ROS 2 that cannot be launched by itself is there to be included, and inherits what is set around it.
         if read.ros == 2 and needs:
             continue
@@ -49,7 +51,11 @@ def check(system: System) -> Iterator[Finding]:
         yield Finding(
             at=read.location,
             message=f"{how} is read, but never declared or set: launch stops here{unless}{meant(read.similar)}",
-            level=Level.NOTE if is_given else Level.WARNING if is_settable and not _stops(read) else None,
+            level=Level.NOTE
+            if is_given
+            else Level.WARNING
+            if is_settable and (read.location.path in given or not _stops(read))
+            else None,
             about=(read.name,),
             related=tuple((place, "is read here, too") for place in others),
             apart=(read.name,),

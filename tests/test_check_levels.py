@@ -363,6 +363,7 @@ OLD_READS = '<launch><node pkg="demo" type="n" name="n" ns="$(arg robot)"/></lau
         ({"launch/a.launch": OLD_READS.replace("robot", "robot_ip")}, Level.WARNING),
         ({"launch/a.launch": OLD_READS.replace("robot", "port")}, Level.WARNING),
         ({"launch/a.launch": OLD_READS.replace("robot", "transport")}, Level.ERROR),
+        ({"launch/a.launch": OLD_READS.replace("ns=", 'args="$(arg robot)" ns=')}, Level.ERROR),
         ({"launch/a.launch": OLD_READS.replace("ns=", "if=")}, Level.ERROR),
         (
             {"launch/a.launch": OLD_READS.replace("<node", '<arg name="is_on"/><node if="$(arg is_on)"')},
@@ -375,6 +376,12 @@ OLD_READS = '<launch><node pkg="demo" type="n" name="n" ns="$(arg robot)"/></lau
 def test_an_argument_without_which_roslaunch_stops(files: dict[str, str], expected: Level, tmp_path: Path) -> None:
     every = {"package.xml": ROS1, "CMakeLists.txt": CATKIN, "launch/a.launch": OLD_READS, **files}
     assert levels("unset-launch-argument", every, tmp_path) == [expected]
+
+
+def test_arguments_beside_one_that_the_command_line_is_to_give(tmp_path: Path) -> None:
+    play = '<launch><node pkg="demo" type="n" name="n" args="$(arg bag_filename) --rate $(arg rate)"/></launch>\n'
+    every = {"package.xml": ROS1, "CMakeLists.txt": CATKIN, "launch/a.launch": play}
+    assert levels("unset-launch-argument", every, tmp_path) == [Level.WARNING, Level.WARNING]
 
 
 @pytest.mark.parametrize(
