@@ -51,6 +51,8 @@ _SAME = tuple(
 _MOST = 300
 _QUIET = frozenset(("install", "catkin_install_python", "ament_auto_package", "autoware_ament_auto_package"))
 _QUIET |= {"cs_install_scripts", "target_include_directories", "include_directories", "find_package", "project"}
+#: Endings of what Python and editors write beside a file.
+_LEFT = (".pyc", ".pyo", ".bak", ".orig", ".swp", ".save")
 
 
 def check(project: Project) -> Iterator[Finding]:
@@ -162,7 +164,11 @@ def _finding(
     prefix = f"{folder}/" if folder else ""
     beside = entries_of(package.project.workspace.names).get(folder, NO_ENTRIES).names
     only = exported.get(posixpath.splitext(path)[1])
-    ended = [f"{prefix}{name}" for name in sorted(beside) if posixpath.splitext(name)[0] == posixpath.basename(path)]
+    ended = [
+        f"{prefix}{name}"
+        for name in sorted(beside)
+        if posixpath.splitext(name)[0] == posixpath.basename(path) and not name.endswith(_LEFT)
+    ]
     near = [only] if only else ended or similar_files(path, sorted(f"{prefix}{name}" for name in beside), package.name)
     meant = alternatives([name.removeprefix(prefix) for name in near])
     alike = _directory_like(path, package, named) if not near and not posixpath.splitext(path)[1] else ""

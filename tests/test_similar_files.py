@@ -164,6 +164,8 @@ def test_a_file_that_is_written_without_its_ending(tmp_path: Path) -> None:
         "CMakeLists.txt": "project(demo)\nfind_package(catkin REQUIRED)\ncatkin_package()\n"
         "install(PROGRAMS scripts/split_bag DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})\n",
         "scripts/split_bag.py": "print(1)\n",
+        "scripts/split_bag.pyc": "compiled\n",
+        "scripts/split_bag.bak": "print(1)\n",
         "scripts/splitter_bag": "print(1)\n",
     }
     assert "did you mean split_bag.py?" in message("missing-install-source", files, tmp_path)
