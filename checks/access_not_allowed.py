@@ -5,7 +5,19 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
-from haros_ci.api import Check, End, Finding, Level, Location, Project, SystemNode, is_slip, line_of, listed
+from haros_ci.api import (
+    Check,
+    End,
+    Finding,
+    Level,
+    Location,
+    Project,
+    SystemNode,
+    alternatives,
+    is_slip,
+    line_of,
+    listed,
+)
 from haros_ci.api.security import Access, AccessRule
 
 #: What a node does, and what it may do, by the list that says so.
@@ -63,7 +75,7 @@ def _misspelt(project: Project, nodes: Iterable[SystemNode]) -> Iterator[Finding
             for place in _places(project, rule) if near else ():
                 yield Finding(
                     at=place,
-                    message=f"The access rule for {rule.name} names {name}, which {what} has here; did you mean {near[0]}?",
+                    message=f"The access rule for {rule.name} names {name}, which {what} has here; did you mean {alternatives(near)}?",
                     about=(rule.verb, rule.name, name),
                     level=Level.NOTE,
                     apart=(rule.verb, rule.name, name),

@@ -5,9 +5,8 @@ from __future__ import annotations
 
 import posixpath
 from collections.abc import Iterator, Mapping
-from difflib import get_close_matches
 
-from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage
+from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage, alternatives, equally_near
 from haros_ci.api.interfaces import of_include
 from haros_ci.api.packages import is_ignored, is_told_of, may_appear, may_have_more
 
@@ -131,8 +130,8 @@ def _may_be_made(headers: Headers, owner: ProjectPackage, package: ProjectPackag
 def _finding(package: ProjectPackage, owner: ProjectPackage, name: str, place: Location, known: list[str]) -> Finding:
     base = posixpath.basename(name)
     same = [path for path in known if posixpath.basename(path).lower() == base.lower()]
-    found = same if len(same) == 1 else get_close_matches(name, known, 1, 0.8)
-    hint = f"; did you mean {found[0]}?" if found else ""
+    found = alternatives(same if len(same) == 1 else equally_near(name, known, 0.8))
+    hint = f"; did you mean {found}?" if found else ""
     whose = "the package itself has" if owner is package else f"{owner.name} has"
     return Finding(
         at=place,

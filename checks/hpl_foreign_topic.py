@@ -4,10 +4,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from difflib import get_close_matches
 from typing import TYPE_CHECKING
 
-from haros_ci.api import Check, Finding, Level, of_properties
+from haros_ci.api import Check, Finding, Level, alternatives, equally_near, of_properties
 
 if TYPE_CHECKING:
     from haros_ci.api.hpl import Properties
@@ -27,11 +26,9 @@ def check(properties: Properties) -> Iterator[Finding]:
             last = event.topic.rpartition("/")[2].lstrip("~")
             if any(name.rpartition("/")[2] == last for name in known):
                 continue  # in which namespace it was meant is not known
-            near = get_close_matches(event.topic, sorted(known), 1, 0.75)
+            near = alternatives(equally_near(event.topic, sorted(known)))
             hint = (
-                f"; did you mean {near[0]}?"
-                if near
-                else "; state the property for a configuration, or correct the topic"
+                f"; did you mean {near}?" if near else "; state the property for a configuration, or correct the topic"
             )
             message = f"The node {owner.name} neither publishes nor subscribes to {event.topic}: the property says nothing of this node, and HAROS leaves it out{hint}"
             yield found(stated, event.topic_at, message, event.topic)

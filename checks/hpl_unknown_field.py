@@ -4,10 +4,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from difflib import get_close_matches
 from typing import TYPE_CHECKING
 
-from haros_ci.api import Check, Finding, Level, listed, of_properties
+from haros_ci.api import Check, Finding, Level, alternatives, equally_near, listed, of_properties
 
 if TYPE_CHECKING:
     from haros_ci.api.hpl import Properties
@@ -27,9 +26,9 @@ def check(properties: Properties) -> Iterator[Finding]:
 
 
 def _meant(name: str, names: tuple[str, ...]) -> str:
-    near = get_close_matches(name, names, 1)
+    near = alternatives(equally_near(name, names, 0.6))
     if near:
-        return f"; did you mean {near[0]}?"
+        return f"; did you mean {near}?"
     return f"; it has {listed(names)}" if names else "; it has none"
 
 

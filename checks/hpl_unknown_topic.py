@@ -4,10 +4,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from difflib import get_close_matches
 from typing import TYPE_CHECKING
 
-from haros_ci.api import Check, Finding, Level, is_moved, of_properties
+from haros_ci.api import Check, Finding, Level, alternatives, equally_near, is_moved, of_properties
 
 if TYPE_CHECKING:
     from haros_ci.api.hpl import Properties
@@ -32,8 +31,8 @@ def check(properties: Properties) -> Iterator[Finding]:
 def _meant(name: str, known: Iterable[str]) -> str:
     known = sorted(known)
     moved = [other for other in known if is_moved(other, name)]
-    near = moved or get_close_matches(name, known, 1, 0.75)
-    return f"; did you mean {near[0]}?" if near else "; correct the topic"
+    near = alternatives(moved or equally_near(name, known))
+    return f"; did you mean {near}?" if near else "; correct the topic"
 
 
 CHECK = Check(

@@ -127,7 +127,7 @@ def _home(mesh: Mesh) -> tuple[str, str]:
 def _moved_to(mesh: Mesh) -> str:
     """The directory of the package that has the file by the same name, where it has been moved; "" if none is known."""
     name = (mesh.filename or "").rpartition("/")[2]
-    folder, _, similar = mesh.similar[0].rpartition("/") if mesh.is_missing and mesh.similar else ("", "", "")
+    folder, _, similar = mesh.similar[0].rpartition("/") if mesh.is_missing and len(mesh.similar) == 1 else ("", "", "")
     return folder if similar == name and not folder.startswith("..") else ""
 
 

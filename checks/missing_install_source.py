@@ -7,7 +7,7 @@ import posixpath
 from collections.abc import Iterator, Mapping
 from difflib import get_close_matches
 
-from haros_ci.api import Check, Finding, Level, Project, ProjectPackage, regex
+from haros_ci.api import Check, Finding, Level, Project, ProjectPackage, alternatives, regex
 from haros_ci.api.launch import similar_files
 from haros_ci.api.packages import (
     NO_ENTRIES,
@@ -51,6 +51,8 @@ _SAME = tuple(
 _MOST = 300
 _QUIET = frozenset(("install", "catkin_install_python", "ament_auto_package", "autoware_ament_auto_package"))
 _QUIET |= {"cs_install_scripts", "target_include_directories", "include_directories", "find_package", "project"}
+#: Endings of what Python and editors write beside a file.
+_LEFT = (".pyc", ".pyo", ".bak", ".orig", ".swp", ".save")
 
 
 def check(project: Project) -> Iterator[Finding]:
@@ -120,9 +122,9 @@ def _instead(package: ProjectPackage, path: str, is_directory: bool) -> str:
     beside = sorted(
         f"{prefix}{name}" for name in entries_of(package.project.workspace.names).get(folder, NO_ENTRIES).names
     )
-    near = similar_files(path, beside, package.name)
+    near = alternatives([name.removeprefix(prefix) for name in similar_files(path, beside, package.name)])
     if near:
-        return f"did you mean {near[0].removeprefix(prefix)}?"
+        return f"did you mean {near}?"
     return (
         f"add an empty file {shown}"
         if folder.endswith("resource") and base == package.name
@@ -162,13 +164,18 @@ def _finding(
     prefix = f"{folder}/" if folder else ""
     beside = entries_of(package.project.workspace.names).get(folder, NO_ENTRIES).names
     only = exported.get(posixpath.splitext(path)[1])
-    ended = [f"{prefix}{name}" for name in sorted(beside) if posixpath.splitext(name)[0] == posixpath.basename(path)]
+    ended = [
+        f"{prefix}{name}"
+        for name in sorted(beside)
+        if posixpath.splitext(name)[0] == posixpath.basename(path) and not name.endswith(_LEFT)
+    ]
     near = [only] if only else ended or similar_files(path, sorted(f"{prefix}{name}" for name in beside), package.name)
+    meant = alternatives([name.removeprefix(prefix) for name in near])
     alike = _directory_like(path, package, named) if not near and not posixpath.splitext(path)[1] else ""
     if "*" in word or "?" in word:
         hint = "install() does not expand patterns; list the files with file(GLOB), or install the directory"
-    elif near:
-        hint = f"did you mean {near[0].removeprefix(prefix)}?"
+    elif meant:
+        hint = f"did you mean {meant}?"
     elif alike:
         hint = f"did you mean {alike}?"
     elif posixpath.splitext(path)[1]:

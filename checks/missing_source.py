@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from haros_ci.api import Check, Finding, Level, Project, ProjectPackage, regex
+from haros_ci.api import Check, Finding, Level, Project, ProjectPackage, alternatives, regex
 from haros_ci.api.launch import similar_files
 from haros_ci.api.packages import OF_TARGETS, CMakeCommand, brings_files, is_told_of, may_appear
 
@@ -69,8 +69,8 @@ def _finding(package: ProjectPackage, command: CMakeCommand, path: str, is_compa
     top = "" if package.path == "." else f"{package.path}/"
     shown = path.removeprefix(top)
     beside = [name for name in package.project.workspace.names if is_compared and name.startswith(top)]
-    near = similar_files(path, beside, package.name)
-    instead = f"did you mean {near[0].removeprefix(top)}?" if near else "correct the name, or add the file"
+    near = alternatives([name.removeprefix(top) for name in similar_files(path, beside, package.name)])
+    instead = f"did you mean {near}?" if near else "correct the name, or add the file"
     return Finding(
         at=command.location,
         message=f"{command.arguments[0]} is built from {shown}, which does not exist: CMake stops, as it cannot find this source file"

@@ -6,8 +6,11 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from haros_ci.api import Check, Finding, Level, Location, System, is_slip
+from haros_ci.api import Check, Finding, Level, Location, System, SystemNode, is_slip, regex
 from haros_ci.api.launch import NodePattern, ParameterFileUse
+
+#: What a program of Python has.
+_STARTS = regex(r"\A#!|^if[ \t(]+__name__[ \t]*==", re.MULTILINE)
 
 
 def check(system: System) -> Iterator[Finding]:
@@ -41,7 +44,7 @@ def _of_file(system: System, unserved: list[ParameterFileUse], uses: tuple[Param
                     at=node_pattern.location,
                     message=(
                         f"no node that loads this file has the name of its section {node_pattern.pattern}: {node} "
-                        f"{_otherwise(use, node_pattern.pattern)}"
+                        f"{_otherwise(system, use, node_pattern)}"
                     ),
                     about=(node_pattern.pattern, "/".join(use.program)),
                     flow=(
@@ -81,12 +84,46 @@ def _fits(pattern: str, name: str) -> bool:
 _WILD = {"/**": r"(?:/[^/]+)*", "/*": r"/[^/]+"}
 
 
-def _otherwise(use: ParameterFileUse, pattern: str) -> str:
+def _otherwise(system: System, use: ParameterFileUse, section: NodePattern) -> str:
     """How the node is called, and what to write: a section without a namespace is for the node in the namespace / alone."""
+    pattern = section.pattern
+    if _reads_none(system, use, section):
+        return f"is called otherwise, and declares none of these parameters; start {pattern} with this file, or take the file from {use.node or 'it'}"
     name = pattern.strip("/")
+    if script := _script(system, use, name):
+        return f"is another program than {script}, and gets none of these parameters; start {script} with this file, or take the file from {use.node or 'it'}"
     if use.node and name == use.node.rpartition("/")[2]:
         return f"is in a namespace, so it gets none of these parameters; write /**/{name} (or {use.node}) here"
     return f"is called otherwise, so it gets none of these parameters; write {_right(use)} or /** here, or name the node {pattern}"
+
+
+def _reads_none(system: System, use: ParameterFileUse, section: NodePattern) -> bool:
+    """Whether no node of the process has any of the parameters of the *section*."""
+    nodes = _nodes(system, use)
+    return (
+        bool(nodes and section.keys)
+        and "?" not in "".join(section.keys)
+        and all(node.names.has(key) is False for node in nodes for key in section.keys)
+    )
+
+
+def _script(system: System, use: ParameterFileUse, name: str) -> str:
+    """The script of the node's package that is called like the section, and that is no file of the node; "" if there is none."""
+    folders = [package.path for package in system.packages.values() if package.name == use.program[0]]
+    places = {end.location.path for node in _nodes(system, use) for end in node.ends if end.in_source}
+    if system.workspace is None or len(folders) != 1 or not places or use.program[1].removesuffix(".py") == name:
+        return ""
+    inside = "" if folders[0] == "." else f"{folders[0]}/"
+    named = [path for path in system.workspace.names if path.startswith(inside) and path.endswith(f"/{name}.py")]
+    if len(named) != 1 or named[0] in places or not _STARTS.search(system.workspace.text(named[0])):
+        return ""
+    return named[0].rpartition("/")[2]
+
+
+def _nodes(system: System, use: ParameterFileUse) -> list[SystemNode]:
+    """The nodes of the process that is given the file."""
+    program = "/".join(use.program)
+    return [node for node in system.nodes if node.type == program and use.node in (None, node.name)]
 
 
 def _right(use: ParameterFileUse) -> str:

@@ -8,7 +8,7 @@ import re
 from collections.abc import Iterator
 from itertools import islice
 
-from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage, dataclass, regex
+from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage, alternatives, dataclass, regex
 from haros_ci.api.code import weighed
 from haros_ci.api.launch import LostImage, lost_images, similar_files
 from haros_ci.api.packages import landings, may_appear, paths_by_name
@@ -122,9 +122,9 @@ def _finding(package: ProjectPackage, use: _FileUse) -> Iterator[Finding]:
     else:
         prefix = "" if package.path == "." else f"{package.path}/"
         own = [name[len(prefix) :] for name in islice(project.below(package.path), 2000)]
-        near = similar_files(use.inner, own, package.name)
+        near = alternatives([repr(name) for name in similar_files(use.inner, own, package.name)])
         message = f"but {package.name} does not have this file: opening it fails" + (
-            f"; did you mean {near[0]!r}?" if near else "; correct the path, or add the file"
+            f"; did you mean {near}?" if near else "; correct the path, or add the file"
         )
     yield Finding(
         at=use.at,

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from haros_ci.api import Check, Finding, Level, Project, listed, nearest
+from haros_ci.api import Check, Finding, Level, Project, all_nearest, alternatives, listed
 from haros_ci.api.code import Unset, unset_attributes, weighed
 
 #: Methods by which a class shows that it is meant to be a node of rclpy.
@@ -71,9 +71,9 @@ def _like(unset: Unset, is_compared: bool) -> str:
         return f"; write {unset.name}, the parameter of {unset.routine.function.name.rpartition('.')[2]}()"
     own = unset.routine.function.name.rpartition(".")[2]  # nobody means the method that the line is in
     known = sorted(unset.known - {own})[:MOST_NAMES] if is_compared else []
-    found = nearest(unset.name, known)
-    if found is not None:
-        return f"; did you mean self.{found}?"
+    found = alternatives([f"self.{name}" for name in all_nearest(unset.name, known)])
+    if found:
+        return f"; did you mean {found}?"
     return "; define the method, or remove the call" if unset.is_called else "; set it in __init__()"
 
 

@@ -4,9 +4,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from difflib import get_close_matches
 
-from haros_ci.api import Check, Finding, Level, Project
+from haros_ci.api import Check, Finding, Level, Project, alternatives, equally_near
 from haros_ci.api.code import weighed
 from haros_ci.api.interfaces import MissingField, missing_fields
 
@@ -28,9 +27,9 @@ def _found(project: Project) -> Iterator[Finding]:
 
 def _like(missing: MissingField) -> str:
     names = sorted(missing.struct.fields)
-    found = get_close_matches(missing.field, names, 1)
+    found = alternatives(equally_near(missing.field, names, 0.6))
     if found:
-        return f"; it has {found[0]}"
+        return f"; it has {found}"
     return f"; it has {', '.join(names)}" if 0 < len(names) < 6 else ""
 
 

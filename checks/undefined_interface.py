@@ -9,7 +9,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 from difflib import get_close_matches
 
-from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage, regex
+from haros_ci.api import Check, Finding, Level, Location, Project, ProjectPackage, alternatives, equally_near, regex
 from haros_ci.api.interfaces import InterfaceReference, InterfaceUsers, always_at, is_written_here, references_to
 
 GENERATE = ("rosidl_generate_interfaces", "add_message_files", "add_service_files", "add_action_files")
@@ -52,10 +52,11 @@ class Defining:
             name for name, of in named.items() if kind in (of, "") and name.partition("/")[2].lower() == stem
         )
         if elsewhere:
-            return f"; did you mean {' or '.join(elsewhere[:3])}?"
+            meant = alternatives(elsewhere)
+            return f"; did you mean {meant}?" if meant else ""
         names = {e.name.partition("/")[2].lower(): e.name for e in self.interfaces if kind in (e.kind, "")}
-        found = get_close_matches(stem, sorted(names), 1)
-        return f"; did you mean {names[found[0]]}?" if found else ""
+        found = alternatives([names[name] for name in equally_near(stem, sorted(names), 0.6)])
+        return f"; did you mean {found}?" if found else ""
 
 
 def check(project: Project) -> Iterator[Finding]:

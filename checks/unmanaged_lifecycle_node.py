@@ -4,9 +4,19 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from difflib import get_close_matches
 
-from haros_ci.api import Check, Decidability, Finding, Level, Parameter, System, SystemNode, together
+from haros_ci.api import (
+    Check,
+    Decidability,
+    Finding,
+    Level,
+    Parameter,
+    System,
+    SystemNode,
+    alternatives,
+    equally_near,
+    together,
+)
 from haros_ci.api.launch import IncludeUse
 
 
@@ -46,8 +56,8 @@ def _managers(system: System) -> Iterator[tuple[SystemNode, Parameter, list[str]
 
 
 def _lost(manager: SystemNode, parameter: Parameter, name: str, expected: str, there: list[str]) -> Finding:
-    similar = get_close_matches(expected, there, 1, 0.8)
-    hint = f"; did you mean {similar[0]!r}?" if similar else ""
+    similar = alternatives([repr(name) for name in equally_near(expected, there, 0.8)])
+    hint = f"; did you mean {similar}?" if similar else ""
     return Finding(
         at=parameter.origin or parameter.location or manager.location,
         message=(

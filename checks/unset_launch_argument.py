@@ -3,11 +3,17 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator
 
-from haros_ci.api import Check, Finding, Level, Location, System, nearest
+from haros_ci.api import Check, Finding, Level, Location, System, nearest, regex
 from haros_ci.api.launch import ArgumentDeclaration, ArgumentRead, IncludeUse, included_by, meant
 
+#: Arguments that each user has a value of his own for, and launch files that are parts of others.
+_OWN = regex(
+    r"bag|file|path|dir|log|record|(?:^|_)(?:ip|port|dev|device|serial|host|address|user|url|uri)(?:_|$)", re.IGNORECASE
+)
+_PARTS = regex(r"(?:^|/)include[sd]?/|\.xml$")
 #: So many further places that read a name are shown.
 _SHOWN = 10
 
@@ -21,7 +27,9 @@ def check(system: System) -> Iterator[Finding]:
         places.setdefault(fact.name, set()).add(fact.location.path)
         if f"$(var {fact.name})" in (fact.default or ""):
             own.add((fact.location.path, fact.name))
-    for read, others in _first(system.facts(ArgumentRead)):
+    reads = system.facts(ArgumentRead)
+    given = {read.location.path for read in reads if _OWN.search(read.name)}  # launched with arguments, on purpose
+    for read, others in _first(reads):
         # A launch file of ROS 2 that cannot be launched by itself is there to be included, and inherits what is set around it.
         if read.ros == 2 and needs:
             continue
@@ -43,13 +51,30 @@ def check(system: System) -> Iterator[Finding]:
         yield Finding(
             at=read.location,
             message=f"{how} is read, but never declared or set: launch stops here{unless}{meant(read.similar)}",
-            level=Level.NOTE if is_given else Level.WARNING if is_settable else None,
+            level=Level.NOTE
+            if is_given
+            else Level.WARNING
+            if is_settable and (read.location.path in given or not _stops(read))
+            else None,
             about=(read.name,),
             related=tuple((place, "is read here, too") for place in others),
             apart=(read.name,),
             flow=included_by(read),
             presence=read.presence,
         )
+
+
+def _stops(read: ArgumentRead) -> bool:
+    """Whether a launch file of ROS 1 stops for everybody who starts it as it is.
+
+    No file can include it and pass the argument, as roslaunch refuses arguments that the included file does not declare (roslaunch/loader.py,
+    post_include_args). One of ROS 2 inherits what the file sets that includes it. A file or an address is often left to the command line on purpose.
+    """
+    return (
+        read.ros == 1
+        and not (read.presence or read.is_undecided)
+        and not (_OWN.search(read.name) or _PARTS.search(read.location.path))
+    )
 
 
 def _first(reads: Iterable[ArgumentRead]) -> Iterator[tuple[ArgumentRead, tuple[Location, ...]]]:

@@ -5,10 +5,21 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from difflib import get_close_matches
 from functools import cached_property
 
-from haros_ci.api import Check, Finding, Level, Location, System, listed, nearest, regex, spelled_out
+from haros_ci.api import (
+    Check,
+    Finding,
+    Level,
+    Location,
+    System,
+    all_nearest,
+    alternatives,
+    equally_near,
+    listed,
+    regex,
+    spelled_out,
+)
 from haros_ci.api.launch import (
     ArgumentDeclaration,
     IncludeUse,
@@ -80,7 +91,7 @@ def _passed_for_nothing(system: System) -> Iterator[Finding]:
             first, *others = system.whole.passed_for_nothing.get((use.path or "", passed.name), (passed.location,))
             if passed.location != first:
                 continue
-            similar = _meant(passed.name, free)
+            similar = all_nearest(passed.name, free, 0.7)
             key = (passed.location.path, passed.name)
             targets = system.whole.passed_with_all.get(key, ())
             if targets:
@@ -134,7 +145,7 @@ def _passed_to_ros1(use: IncludeUse, file: str, unknown: list[PassedArgument], f
     first, *others = sorted(unknown, key=lambda passed: passed.location.sort_key)
     names = [passed.name for passed in (first, *others)]
     what = f"passes {spelled_out([repr(name) for name in names])}"
-    similar = _meant(first.name, free) if not others else ()
+    similar = all_nearest(first.name, free, 0.7) if not others else ()
     yield Finding(
         at=first.location,
         message=f"{what} to {file}, which does not declare {'them' if others else 'it'}: launch stops here{meant(similar)}",
@@ -147,11 +158,6 @@ def _passed_to_ros1(use: IncludeUse, file: str, unknown: list[PassedArgument], f
     )
 
 
-def _meant(name: str, free: list[str]) -> tuple[str, ...]:
-    found = nearest(name, free, 0.7)
-    return () if found is None else (found,)
-
-
 def _passed_outside(system: System) -> Iterator[Finding]:
     """Arguments that are passed to a launch file outside of the workspace which does not know them."""
     for use in system.facts(IncludeUse):
@@ -162,14 +168,14 @@ def _passed_outside(system: System) -> Iterator[Finding]:
         free = sorted(known.arguments - {passed.name for passed in use.passed})
         unknown = [passed for passed in use.passed if passed.name not in known.arguments]
         if known.may_differ:  # then only what is a slip of a name that is known
-            unknown = [passed for passed in unknown if _meant(passed.name, free)]
+            unknown = [passed for passed in unknown if all_nearest(passed.name, free, 0.7)]
         if use.ros == 1:  # what pass_all_args passes stands at the include itself
             yield from _passed_to_ros1(
                 use, file, [passed for passed in unknown if passed.location != use.location], free
             )
             continue
         for passed in unknown:
-            similar = _meant(passed.name, free)
+            similar = all_nearest(passed.name, free, 0.7)
             yield Finding(
                 at=passed.location,
                 message=f"passes {passed.name!r} to {file}, which does not declare it: it has no effect{meant(similar)}",
@@ -221,9 +227,9 @@ def _is_set(argument: ArgumentDeclaration, text: _Text) -> bool:
 
 def _advice(argument: ArgumentDeclaration, text: _Text) -> str:
     """What to do; with the name that the file reads without declaring it, where that is nearly the same."""
-    near = get_close_matches(argument.name[:100], text.undeclared, 1, _NEAR)
+    near = alternatives([repr(name) for name in equally_near(argument.name[:100], text.undeclared, _NEAR)])
     if near:
-        return f"the file reads {near[0]!r}, which it does not declare: give both the same name"
+        return f"the file reads {near}, which it does not declare: give both the same name"
     return "use it, or remove the declaration"
 
 

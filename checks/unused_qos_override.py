@@ -4,9 +4,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from difflib import get_close_matches
 
-from haros_ci.api import Check, End, Finding, Given, Level, Location, System, SystemNode
+from haros_ci.api import Check, End, Finding, Given, Level, Location, System, SystemNode, alternatives, equally_near
 
 #: What the key says, and the ends that it is about (rclcpp/detail/qos_parameters.hpp, rclpy/qos_overriding_options.py).
 KINDS = {"publisher": "publishers", "subscription": "subscribers"}
@@ -117,8 +116,8 @@ def _other_topic(topic: str, ends: tuple[End, ...]) -> str:
 
 
 def _like(word: str, words: tuple[str, ...] | list[str]) -> str:
-    found = get_close_matches(word, words, 1, 0.75)
-    return f" (did you mean {found[0]})" if found else ""
+    found = alternatives(equally_near(word, words))
+    return f" (did you mean {found}?)" if found else ""
 
 
 CHECK = Check(

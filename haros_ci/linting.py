@@ -17,6 +17,7 @@ from haros_ci.config.settings import Settings
 from haros_ci.linters import pylint, values
 from haros_ci.linters.doubting import Doubting
 from haros_ci.linters.given_names import is_extra_script
+from haros_ci.linters.idle_python import with_idle_python
 from haros_ci.linters.in_default import IN_TESTS, is_idle, is_of_linter, is_test
 from haros_ci.linters.linter import REFUTED, SILENCED, LintOptions, When
 from haros_ci.linters.loaded_files import loaded_files
@@ -118,14 +119,14 @@ def with_silenced(runs: Iterable[Run], workspace: Workspace, selection: Selectio
 
 
 def with_names(results: Iterable[Result], workspace: Workspace, selection: Selection) -> tuple[Result, ...]:
-    """*results*, undefined names weighed; see :func:`haros_ci.linters.undefined_names.weighed_names`."""
+    """*results*, undefined names weighed (:func:`haros_ci.linters.undefined_names.weighed_names`), and what is said of Python that nothing runs as notes."""
     versions = {package.name: package.ros for package in workspace.packages}
     every = set(versions.values())
     of_all = 1 if every == {1} else 0  # what lies in no package of a workspace of ROS 1 alone
     package_of = workspace.package_finder()
     loaded = cache(lambda: loaded_files(workspace))
     python = [file.path for file in workspace.files if file.language in ("python", "launch", "setup")]
-    return weighed_names(
+    weighed_results = weighed_names(
         results,
         workspace.text,
         is_ros1=lambda path: versions.get(package_of(path) or "", of_all) == 1,
@@ -133,6 +134,11 @@ def with_names(results: Iterable[Result], workspace: Workspace, selection: Selec
         is_loaded=lambda path: path.rpartition("/")[2] in loaded(),
         is_extra=lambda path: is_extra_script(path, workspace.names.__contains__, workspace.text),
         is_translated=cache(lambda: any(map(uses_gettext, map(workspace.text, python)))),
+    )
+    return with_idle_python(
+        weighed_results,
+        workspace,
+        is_given=lambda result: selection.is_asked_for(result.tool, result.rule, result.location.path),
     )
 
 

@@ -344,6 +344,46 @@ def test_a_launch_configuration_that_the_command_line_can_give(
     assert levels("unset-launch-argument", every, tmp_path) == [expected]
 
 
+OLD_READS = '<launch><node pkg="demo" type="n" name="n" ns="$(arg robot)"/></launch>\n'
+
+
+@pytest.mark.parametrize(
+    ("files", "expected"),
+    [
+        ({}, Level.ERROR),
+        ({"launch/a.launch": OLD_READS.replace("<node", '<arg name="rate" default="1"/><node')}, Level.ERROR),
+        ({"launch/a.launch": OLD_READS.replace("<node", '<param name="robot" value="r1"/><node')}, Level.ERROR),
+        ({"README.md": "roslaunch demo b.launch robot:=r1\n", "launch/b.launch": "<launch/>"}, Level.ERROR),
+        # what the command line is meant to give, or a file that others include
+        ({"README.md": "roslaunch demo a.launch robot:=r1\n"}, Level.NOTE),
+        ({"launch/a.launch": f"<!-- Copyright 2016 The Mapping Authors -->\n{OLD_READS}"}, Level.NOTE),
+        ({"launch/a.launch": OLD_READS.replace("robot", "bag_filename")}, Level.WARNING),
+        ({"launch/a.launch": OLD_READS.replace("robot", "file")}, Level.WARNING),
+        ({"launch/a.launch": OLD_READS.replace("robot", "log_path")}, Level.WARNING),
+        ({"launch/a.launch": OLD_READS.replace("robot", "robot_ip")}, Level.WARNING),
+        ({"launch/a.launch": OLD_READS.replace("robot", "port")}, Level.WARNING),
+        ({"launch/a.launch": OLD_READS.replace("robot", "transport")}, Level.ERROR),
+        ({"launch/a.launch": OLD_READS.replace("ns=", 'args="$(arg robot)" ns=')}, Level.ERROR),
+        ({"launch/a.launch": OLD_READS.replace("ns=", "if=")}, Level.ERROR),
+        (
+            {"launch/a.launch": OLD_READS.replace("<node", '<arg name="is_on"/><node if="$(arg is_on)"')},
+            Level.WARNING,
+        ),
+        ({"launch/a.launch": "<launch/>", "launch/include/b.launch": OLD_READS}, Level.WARNING),
+        ({"launch/a.launch": "<launch/>", "launch/b.launch.xml": OLD_READS}, Level.WARNING),
+    ],
+)
+def test_an_argument_without_which_roslaunch_stops(files: dict[str, str], expected: Level, tmp_path: Path) -> None:
+    every = {"package.xml": ROS1, "CMakeLists.txt": CATKIN, "launch/a.launch": OLD_READS, **files}
+    assert levels("unset-launch-argument", every, tmp_path) == [expected]
+
+
+def test_arguments_beside_one_that_the_command_line_is_to_give(tmp_path: Path) -> None:
+    play = '<launch><node pkg="demo" type="n" name="n" args="$(arg bag_filename) --rate $(arg rate)"/></launch>\n'
+    every = {"package.xml": ROS1, "CMakeLists.txt": CATKIN, "launch/a.launch": play}
+    assert levels("unset-launch-argument", every, tmp_path) == [Level.WARNING, Level.WARNING]
+
+
 @pytest.mark.parametrize(
     ("packages", "uses", "declares", "expected"),
     [

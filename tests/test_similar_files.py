@@ -9,7 +9,9 @@ import pytest
 
 from haros_ci.api.testing import said
 from haros_ci.checking.page import Example
+from haros_ci.checking.wording import alternatives
 from haros_ci.model.similar_files import similar_files, similar_names
+from haros_ci.model.slips import equally_near
 from haros_ci.registry import checks
 
 
@@ -162,6 +164,51 @@ def test_a_file_that_is_written_without_its_ending(tmp_path: Path) -> None:
         "CMakeLists.txt": "project(demo)\nfind_package(catkin REQUIRED)\ncatkin_package()\n"
         "install(PROGRAMS scripts/split_bag DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})\n",
         "scripts/split_bag.py": "print(1)\n",
+        "scripts/split_bag.pyc": "compiled\n",
+        "scripts/split_bag.bak": "print(1)\n",
         "scripts/splitter_bag": "print(1)\n",
     }
     assert "did you mean split_bag.py?" in message("missing-install-source", files, tmp_path)
+
+
+@pytest.mark.parametrize(
+    ("wanted", "paths", "expected"),
+    [
+        # one name in directories of which none is nearer
+        ("robots/rover/view.rviz", ["robots/a-rover/view.rviz", "robots/b-rover/view.rviz"], 2),
+        ("robots/rover/view.rviz", [f"robots/{one}-rover/view.rviz" for one in "abcdefg"], 4),
+        ("launch/display.launch", ["launch/display_real.launch", "launch/display_lab.launch"], 2),
+        ("config/arm_lefs.yaml", ["config/arm_lefd.yaml", "config/arm_lefa.yaml"], 2),
+        # one of them is nearer
+        ("lanch/robot.launch", ["launch/robot.launch", "archive/robot.launch"], 1),
+        ("launch/robot.launch", ["launch/robots.launch", "launch/robot_with_arm.launch"], 1),
+        ("launch/robot.launch", ["launch/Robot.launch", "launch/robots.launch"], 1),
+        ("cfg/robot.yaml", ["config/robot.yaml", "a_place_of_its_own/robot.yaml"], 1),
+    ],
+)
+def test_files_that_are_equally_near(wanted: str, paths: list[str], expected: int) -> None:
+    found = similar_files(wanted, paths)
+    assert (set(found) <= set(paths), len(found)) == (True, expected)
+    assert expected > 1 or found == (paths[0],)
+
+
+@pytest.mark.parametrize(
+    ("word", "known", "expected"),
+    [
+        ("scan_frot", ["scan_front", "scan_rear"], ("scan_front",)),
+        ("pose_x", ["pose_a", "pose_b", "odom"], ("pose_b", "pose_a")),
+        ("speeds", ["speed", "speed_limit"], ("speed",)),
+        ("speeds", ["rate"], ()),
+        ("speeds", [], ()),
+    ],
+)
+def test_words_that_are_equally_near(word: str, known: list[str], expected: tuple[str, ...]) -> None:
+    assert equally_near(word, known) == expected
+
+
+@pytest.mark.parametrize(
+    ("names", "expected"),
+    [((), ""), (("a",), "a"), (("a", "b"), "a or b"), (("a", "b", "c"), "a, b or c"), (("a", "b", "c", "d"), "")],
+)
+def test_of_too_many_none_is_named(names: tuple[str, ...], expected: str) -> None:
+    assert alternatives(names) == expected

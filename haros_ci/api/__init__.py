@@ -18,7 +18,7 @@ from haros_ci.checking.given import (
 from haros_ci.checking.given_names import is_given_away
 from haros_ci.checking.incompatible import incompatible
 from haros_ci.checking.kinds import ACTION, NO_SYSTEMS, SERVICE, TOPIC
-from haros_ci.checking.likeness import is_letter_slip, is_moved, is_slip, may_be, nearest
+from haros_ci.checking.likeness import all_nearest, is_letter_slip, is_moved, is_slip, may_be, nearest
 from haros_ci.checking.offered import type_mismatches
 from haros_ci.checking.project import Project, ProjectPackage
 from haros_ci.checking.remapping import is_idle, named_at, rule_of, way_to
@@ -27,7 +27,7 @@ from haros_ci.checking.stated import of_properties
 from haros_ci.checking.system import Channel, End, System, SystemNode
 from haros_ci.checking.whole import Whole
 from haros_ci.checking.whole_graph import WholeGraph, is_opaque
-from haros_ci.checking.wording import line_of, listed, spelled_out
+from haros_ci.checking.wording import alternatives, line_of, listed, spelled_out
 from haros_ci.checking.yaml_readers import is_read_besides
 from haros_ci.model.architecture import (
     Condition,
@@ -38,6 +38,7 @@ from haros_ci.model.architecture import (
 )
 from haros_ci.model.location import Location
 from haros_ci.model.presence import ALWAYS, Presence, together
+from haros_ci.model.slips import equally_near
 from haros_ci.records import dataclass, field
 from haros_ci.regex import regex
 from haros_ci.results.fix import Edit, Fix
@@ -74,9 +75,12 @@ __all__ = [
     "SystemNode",
     "Whole",
     "WholeGraph",
+    "all_nearest",
+    "alternatives",
     "by_types",
     "can_meet",
     "command",
+    "equally_near",
     "incompatible",
     "is_given_away",
     "is_idle",

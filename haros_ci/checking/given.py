@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping
-from difflib import get_close_matches
 from functools import cached_property
 from typing import TYPE_CHECKING
 
@@ -13,6 +12,7 @@ from haros_ci.checking.whole import is_in
 from haros_ci.model.architecture import Condition, Parameter, Unknown
 from haros_ci.model.location import Location
 from haros_ci.model.presence import ALWAYS, Presence, together
+from haros_ci.model.slips import equally_near
 
 if TYPE_CHECKING:
     from haros_ci.checking.system import End, System, SystemNode
@@ -187,8 +187,8 @@ def near(key: str, known: Iterable[str], *, dot: str = ".") -> str | None:
     if len(same) == 1 and (len(last) > 3 or last == key):  # a short name alone: x0 for robot.x0, not a.x for b.x
         return same[0]
     if len(key) > 3:
-        found = get_close_matches(key[:200], names[:1000], n=1, cutoff=0.84)
-        return found[0] if found else None
+        found = equally_near(key[:200], names[:1000], 0.84)
+        return found[0] if len(found) == 1 else None
     return None
 
 

@@ -67,6 +67,16 @@ _OLD_LAUNCH = regex(
     r"|^def[ \t]+launch[ \t]*\([ \t]*\w+[ \t]*,[ \t]*argv\b",
     re.MULTILINE,
 )
+#: Of namespace packages, which several distributions share, the portions of those whose keys are known.
+_PORTIONS = {
+    "backports": frozenset(("ssl_match_hostname",)),
+    "google": frozenset(("protobuf",)),
+    "mpl_toolkits": frozenset(("axes_grid", "axes_grid1", "axisartist", "mplot3d")),
+    "ruamel": frozenset(("yaml",)),
+}
+#: So much of a line is read for the portions that it imports.
+_LONGEST = 500
+_NAME = regex(r"\w+")
 #: What the names of packages for Python have besides the module's.
 _AFFIXES = frozenset("py python python2 python3 ros ros1 ros2 lib pip catkin vendor".split())
 
@@ -153,8 +163,17 @@ def imported(path: str, text: str, program: Program | None) -> Iterator[tuple[st
         words = [match[2]] if match[2] else [part.split()[0] for part in match[1].split(",") if part.split()]
         for word in words:
             module = word.partition(".")[0]
-            if module.isidentifier() and (known is None or module in known):
+            if module.isidentifier() and (known is None or module in known) and not _is_other_portion(word, match):
                 yield module, Location(path, text.count("\n", 0, match.start()) + 1)
+
+
+def _is_other_portion(word: str, match: re.Match[str]) -> bool:
+    """Whether the import of *word* is of a portion of a namespace package that no known package has: ``google.genai`` comes from another one than ``google.protobuf``."""
+    module, _, inner = word.partition(".")
+    if module not in _PORTIONS:
+        return False
+    rest = match.string[match.end() : match.end() + _LONGEST].partition("\n")[0]
+    return _PORTIONS[module].isdisjoint([inner.partition(".")[0]] if inner else _NAME.findall(rest))
 
 
 def used_files(package: ProjectPackage) -> Iterator[tuple[str, bool]]:

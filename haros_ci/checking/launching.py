@@ -8,6 +8,7 @@ from dataclasses import replace
 from functools import lru_cache
 
 from haros_ci.checking.system import System
+from haros_ci.checking.wording import alternatives
 from haros_ci.model.launch_facts import LaunchFact, PackageUse
 from haros_ci.model.location import Location
 from haros_ci.model.package import Package
@@ -81,7 +82,8 @@ def included_by(fact: LaunchFact) -> tuple[tuple[Location, str], ...]:
 
 
 def meant(similar: tuple[str, ...]) -> str:
-    """A hint at what may be meant: ``; did you mean 'x'?``. A file that is not in the package is no other word for this one."""
+    """A hint at what may be meant: ``; did you mean 'x' or 'y'?``; none where too many are equally near. A file that is not in the package is no other word for this one."""
     if similar and similar[0].startswith("../"):
         return f"; a file like it lies outside of the package, at {similar[0]!r}: name the package that has it, or add the file"
-    return f"; did you mean {similar[0]!r}?" if similar else ""
+    names = alternatives([repr(name) for name in similar])
+    return f"; did you mean {names}?" if names else ""

@@ -7,6 +7,8 @@ import re
 from collections.abc import Iterable
 from difflib import get_close_matches
 
+from haros_ci.model.slips import equally_near
+
 #: Words that distinguish members of a pair: names that differ only in these are meant to differ.
 _TWINS = frozenset(
     {
@@ -57,14 +59,22 @@ def is_letter_slip(one: str, other: str) -> bool:
     return one != other and _digits(one) == _digits(other) and _one_edit(one, other)
 
 
+def all_nearest(name: str, names: Iterable[str], cutoff: float = 0.75) -> tuple[str, ...]:
+    """Those of *names* that are likely to be meant by *name*, none nearer than another (see ``nearest``); empty if there are none."""
+    return equally_near(name, _likely(name, names, cutoff), cutoff)
+
+
 def nearest(name: str, names: Iterable[str], cutoff: float = 0.75) -> str | None:
     """The one of *names* that is likely to be meant by *name*; None if there is none.
 
     Names of as many words that differ in a word which is another one (``image_x`` and ``image_id``, ``scan_pub`` and ``scan_sub``), or in a
     digit, are names of other things.
     """
-    fits = (other for other in get_close_matches(name, list(names), _TRIED, cutoff) if not _is_of_another(name, other))
-    return next(fits, None)
+    return next(iter(_likely(name, names, cutoff)), None)
+
+
+def _likely(name: str, names: Iterable[str], cutoff: float) -> list[str]:
+    return [other for other in get_close_matches(name, list(names), _TRIED, cutoff) if not _is_of_another(name, other)]
 
 
 def _is_of_another(one: str, other: str) -> bool:

@@ -9,6 +9,7 @@ from collections.abc import Iterator
 
 from haros_ci.checking.appearing import is_told_of, may_appear
 from haros_ci.checking.project import Project, ProjectPackage
+from haros_ci.checking.wording import alternatives
 from haros_ci.model.launch_facts import FileUse
 from haros_ci.model.location import Location
 from haros_ci.model.similar_files import similar_files
@@ -92,4 +93,5 @@ def _advice(project: Project, name: str, path: str) -> str:
     stem = posixpath.splitext(base)[0].lower()
     images = [posixpath.basename(one) for one in beside if one.lower().endswith((".pgm", ".png", ".bmp", ".jpg"))]
     near = [one for one in images if posixpath.splitext(one)[0].lower() == stem] or similar_files(base, images)
-    return f"did you mean {near[0]!r}?" if near else "add the image, or remove the map"
+    meant = alternatives([repr(one) for one in near])
+    return f"did you mean {meant}?" if meant else "add the image, or remove the map"

@@ -3,13 +3,13 @@
 
 from __future__ import annotations
 
-from difflib import get_close_matches
 from functools import lru_cache
 
 from haros_ci.checking.likeness import is_slip
 from haros_ci.checking.project import ProjectPackage
-from haros_ci.checking.wording import listed
+from haros_ci.checking.wording import alternatives, listed
 from haros_ci.model.build import CMakeCommand
+from haros_ci.model.slips import equally_near
 
 #: Names that are compared with one that is not known.
 MAX_NAMES = 300
@@ -37,22 +37,23 @@ def _hint(package: ProjectPackage, command: CMakeCommand, name: str) -> str:
     if name in package.cmake.targets:
         return ""
     near = _near(package, command, name)
-    if near and command.name == "ament_export_dependencies" and _squeezed(near) == _squeezed(name):
-        return f"; write {near}, as find_package() has it here"
+    if near and command.name == "ament_export_dependencies" and _squeezed(near[0]) == _squeezed(name):
+        return f"; write {near[0]}, as find_package() has it here"
     names = meant_targets(package, command, name)
     if _is_library(command, name) and not names and package.cmake.targets:
         where = "LIBRARIES" if command.name == "catkin_package" else f"{command.name}()"
         return f"; {where} takes libraries, and the package builds none: remove the name"
-    if near:
-        return f"; did you mean {near}?"
+    if meant := alternatives(near):
+        return f"; did you mean {meant}?"
     return "; correct the name, or remove it" if command.name == "ament_export_dependencies" else _instead(names)
 
 
 def _hint_of_several(package: ProjectPackage, command: CMakeCommand, wrong: tuple[str, ...]) -> str:
     """What to write instead of the libraries *wrong*: for each another one, or nothing."""
     near = [_near(package, command, name) for name in wrong]
-    if all(near) and len(set(near)) == len(near):
-        return f"; did you mean {listed(near)}?"
+    meant = [found[0] for found in near if len(found) == 1]
+    if len(meant) == len(wrong) == len(set(meant)):
+        return f"; did you mean {listed(meant)}?"
     names = [candidate for candidate in meant_targets(package, command, wrong[0]) if candidate not in command.arguments]
     return f"{_instead(names)}: write the right ones, or remove the names" if names else "; remove the names"
 
@@ -73,14 +74,14 @@ def meant_targets(package: ProjectPackage, command: CMakeCommand, name: str) -> 
     return names
 
 
-def _near(package: ProjectPackage, command: CMakeCommand, name: str) -> str:
-    """The one that *name* is meant for; "" where none is like it."""
+def _near(package: ProjectPackage, command: CMakeCommand, name: str) -> list[str]:
+    """Those that *name* may be meant for, none nearer than another; empty where none is like it."""
     names = meant_targets(package, command, name)
     near = _by_squeezed(tuple(names)).get(_squeezed(name), [])
     if _is_library(command, name) and not near:
         near = _only_installed(package, names)
-    near = near or get_close_matches(name[:100], names[:MAX_NAMES], 1, 0.75)
-    return near[0] if near else ""
+    near = near[:1] or [*equally_near(name[:100], names[:MAX_NAMES])]
+    return near
 
 
 def _only_installed(package: ProjectPackage, libraries: list[str]) -> list[str]:

@@ -9,6 +9,8 @@ from haros_ci.model.location import Location
 
 #: So many names of one finding are named.
 NAMED = 5
+#: So many that may be meant by a wrong one are named; of more of them none says more than another.
+MEANT = 3
 #: So many where a user has to write them.
 WRITTEN = 100
 
@@ -21,6 +23,11 @@ def line_of(location: Location) -> str:
 def listed(names: Sequence[str]) -> str:
     """*names* in words (``a, b and c``), of many the first ones and how many more there are."""
     return _in_words(names, NAMED)
+
+
+def alternatives(names: Sequence[str]) -> str:
+    """*names* of which one is meant, in words (``a, b or c``); "" where there are none, or too many."""
+    return " or ".join(part for part in (", ".join(names[:-1]), *names[-1:]) if part) if len(names) <= MEANT else ""
 
 
 def spelled_out(names: Sequence[str]) -> str:

@@ -42,6 +42,9 @@ FOLLOWS_INCLUDES = True
 
 #: Preprocessor configurations per file: on navigation2 a second one cost half as much again and found 3 more of 822.
 MAX_CONFIGS = 1
+#: What a conversion of scanf() requires, and what it gets, without what it stands for on this machine.
+_SCANNED = regex(r"requires '([\w ]{1,40}\*)' but the argument type is '([\w ]{1,40}\*)'")
+_SIGN = regex(r"\b(?:un)?signed ")
 LEVELS = {"error": Level.ERROR, "warning": Level.WARNING}
 #: It could not go on with the file.
 GAVE_UP = frozenset(
@@ -251,10 +254,16 @@ def _result(error: ToolElement, workspace: Workspace) -> Result:
 
 
 def _level(error: ToolElement) -> Level:
-    if error.attributes.get("inconclusive") == "true":
+    if error.attributes.get("inconclusive") == "true" or _is_of_sign_alone(error):
         return Level.NOTE
     level = LEVELS.get(error.attributes["severity"], Level.NOTE)
     return Level.WARNING if level is Level.ERROR and error.attributes["id"] in UNSURE else level
+
+
+def _is_of_sign_alone(error: ToolElement) -> bool:
+    """Whether ``scanf()`` reads a number of the size that the variable has, and only the sign differs: small numbers come out right on all machines."""
+    types = _SCANNED.search(error.attributes["msg"]) if error.attributes["id"] == "invalidScanfArgType_int" else None
+    return types is not None and _SIGN.sub("", types[1]) == _SIGN.sub("", types[2])
 
 
 def _location(place: dict[str, str], workspace: Workspace) -> Location:

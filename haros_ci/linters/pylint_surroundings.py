@@ -38,6 +38,8 @@ _APART = frozenset(("bad-super-call", "import-self", "no-self-argument", "syntax
 #: An alias of typing, which no version of Python is said to remove; ByteString is to go.
 _ALIAS = regex(r"\bclass (?!ByteString\b)\w+ of module typing\b")
 _PYTHON2 = regex(r"#![^\n]*\bpython2")
+#: Keywords that releases of NumPy before 2.1 and 1.22 have alone (release notes, np.reshape and np.quantile).
+_FORMER = regex(r"\b(?:newshape|interpolation)[ \t]*=(?!=)")
 _CALLEE = regex(r"([A-Za-z_]\w*)(?:[ \t]*\.[ \t]*\w+)*[ \t]*\(")
 #: A tab reaches to the next column of eight in Python 2 ("Indentation" in its reference); Python 3 takes no line that depends on that.
 _TABS = "inconsistent use of tabs and spaces"
@@ -252,10 +254,10 @@ def _is_loose_python2(path: str, workspace: Workspace) -> bool:
 
 
 def _is_of_library(result: Result, line: int, workspace: Workspace) -> bool:
-    """Whether a script that asks for Python 2 calls there what a module outside the workspace has: in another version than the one here."""
+    """Whether what a script that asks for Python 2 calls there, or with a former keyword of NumPy, is of a module outside the workspace: of another version than the one here."""
     text = workspace.text(result.location.path)
     lines = text.split("\n")
-    if not _PYTHON2.match(text) or line > len(lines):
+    if line > len(lines):
         return False
     called = _CALLEE.match(lines[line - 1][max((result.location.column or 1) - 1, 0) :][:_LONGEST])
     if called is None:
@@ -269,6 +271,8 @@ def _is_of_library(result: Result, line: int, workspace: Workspace) -> bool:
     if imported is None or re.search(rf"(?m)^[ \t]*(?:def|class)[ \t]+{name}\b|^{name}[ \t]*=(?!=)", text):
         return False
     module = imported[1] or imported[2] or imported[3]
+    if not (_PYTHON2.match(text) or (module == "numpy" and _FORMER.search(lines[line - 1]))):
+        return False
     ends = (f"/{module}.py", f"/{module}/__init__.py")
     return not any(f"/{name}".endswith(ends) for name in workspace.names) and module not in {
         package.name for package in workspace.packages

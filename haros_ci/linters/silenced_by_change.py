@@ -92,6 +92,11 @@ CHANGE: tuple[tuple[tuple[str, ...], str, str], ...] = (
         "tests/linters/test_undefined_names.py::test_names_whose_import_is_in_a_comment",
     ),
     (
+        ("calls, mentions and imports of Python that go: nothing names a function of a program, or a file, any more",),
+        "what pylint says there is a note in the profiles `ros` and `bugs-only`",
+        "tests/linters/test_idle_python.py::test_nothing_runs_it",
+    ),
+    (
         (".setup_assistant",),
         "undeclared-launch-dependency in its package is a note",
         "tests/test_launch_dependencies.py::test_a_package_that_the_setup_assistant_wrote",

@@ -19,6 +19,11 @@ _BY_PARTS = regex(r"\bgetattr[ \t]*\(|\bgetmembers[ \t]*\(|\bglobals[ \t]*\(\)|\
 _FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef)
 
 
+def is_found(name: str, text: str) -> bool:
+    """Whether something may call a function of that *name* without naming it whole: a framework, or what the *text* of its file looks through."""
+    return _FOUND.fullmatch(name) is not None or _BY_PARTS.search(text) is not None
+
+
 def is_uncalled(path: str, line: int, workspace: Workspace) -> bool:
     """Whether *line* of the Python file at *path* is in a function without a decorator whose name stands nowhere but where functions of that name are defined.
 
@@ -28,10 +33,10 @@ def is_uncalled(path: str, line: int, workspace: Workspace) -> bool:
     around = [
         node for node in nodes(text) if isinstance(node, _FUNCTIONS) and node.lineno <= line <= (node.end_lineno or 0)
     ]
-    if not around or _BY_PARTS.search(text):
+    if not around:
         return False
     function = around[0]  # the outermost: what stands in it is run by it
-    if function.decorator_list or _FOUND.fullmatch(function.name):
+    if function.decorator_list or is_found(function.name, text):
         return False
     owners = [
         node for node in nodes(text) if isinstance(node, ast.ClassDef) and node.lineno <= line <= (node.end_lineno or 0)

@@ -95,11 +95,12 @@ class ArgumentRead(LaunchFact):
     """A launch argument or configuration *name* that is read, but that nothing can have declared or set before.
 
     *similar* are names that are set there, nearest first. Certain only for the launched file as it is: with ROS 2 a launch
-    file outside the workspace that includes it may set the name.
+    file outside the workspace that includes it may set the name. *is_undecided* says that a condition around it (ROS 1) may be false.
     """
 
     name: str
     similar: tuple[str, ...] = ()
+    is_undecided: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -159,11 +160,15 @@ class ConditionUse(LaunchFact):
 
 @dataclass(frozen=True, slots=True)
 class NodePattern:
-    """A section of a parameter file: the *pattern* of the nodes it is for; *matches* the node that got the file, or not."""
+    """A section of a parameter file: the *pattern* of the nodes it is for; *matches* the node that got the file, or not.
+
+    *keys* are the names of its parameters, () where it has none or too many.
+    """
 
     pattern: str
     location: Location
     matches: bool | None = None
+    keys: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

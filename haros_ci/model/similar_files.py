@@ -9,6 +9,7 @@ from collections.abc import Iterable
 from difflib import SequenceMatcher
 from functools import lru_cache
 
+from haros_ci.model.slips import NEAR
 from haros_ci.regex import regex
 
 #: How alike two names are at least, and how much of the longer one the shorter one is where its words are among the other's.
@@ -17,6 +18,13 @@ _PART = 0.5
 #: Letters of a word that means something.
 _WORD = 3
 _LONGEST = 200
+#: So many are found: one more than a message names.
+MOST = 4
+#: So much less alike another path is that leads to a file as near as the nearest one.
+_PLACES = 0.05
+#: The rank of names whose words are all among the words of the other one, and how much less alike one of them is that is as near.
+_OF_PARTS = 4
+_WORDS_MORE = 0.15
 #: Names whose parts are remembered: many that are not there are each held against the same that are.
 _NAMES = 1 << 15
 _LAUNCH = regex(r"[._]launch(?:\.\w+)?$")
@@ -24,8 +32,8 @@ _LAUNCH = regex(r"[._]launch(?:\.\w+)?$")
 _APART = ({"left", "right"}, {"front", "rear"}, {"front", "back"}, {"upper", "lower"}, {"min", "max"})
 
 
-def similar_files(expected: str, paths: Iterable[str], owner: str = "", count: int = 1) -> tuple[str, ...]:
-    """Up to *count* of *paths* that may be meant by *expected*, the likeliest first; empty where all seem to be other files.
+def similar_files(expected: str, paths: Iterable[str], owner: str = "", count: int = MOST) -> tuple[str, ...]:
+    """Up to *count* of *paths* that may be meant by *expected* and of which none is nearer than another, the likeliest first; empty where all seem to be other files.
 
     *owner* is the package that has them: its name may stand before that of a file.
     """
@@ -40,14 +48,14 @@ def similar_files(expected: str, paths: Iterable[str], owner: str = "", count: i
             rank = _rank(base, stem, other, _stem(other), owner)
             if rank is not None:
                 ranked.append((rank[0], -rank[1], path))
-    best = sorted(ranked)[: 4 * count + 20]
-    return tuple(
-        path for _, _, path in sorted(best, key=lambda item: (*item[:2], -_ratio(expected, item[2]), item[2]))[:count]
-    )
+    ranked.sort()
+    best = [item for item in ranked[: 4 * count + 20] if _is_as_near(item, ranked[0])]
+    by_path = sorted((rank, less, -_ratio(expected, path), path) for rank, less, path in best)
+    return tuple(path for _, _, less, path in by_path if less < by_path[0][2] + _PLACES)[:count]
 
 
-def similar_names(expected: str, names: Iterable[str], owner: str = "", count: int = 1) -> tuple[str, ...]:
-    """Up to *count* of *names*, of programs and classes, that may be meant by *expected*; the part behind a dot has little weight."""
+def similar_names(expected: str, names: Iterable[str], owner: str = "", count: int = MOST) -> tuple[str, ...]:
+    """Up to *count* of *names*, of programs and classes, that may be meant by *expected* and are equally near; the part behind a dot has little weight."""
     stem = _stem(expected)
     if not stem or len(expected) > _LONGEST:
         return ()
@@ -56,7 +64,13 @@ def similar_names(expected: str, names: Iterable[str], owner: str = "", count: i
         rank = _rank(expected, stem, name, _stem(name), owner) if name != expected and len(name) <= _LONGEST else None
         if rank is not None:
             ranked.append((rank[0], -rank[1], name))
-    return tuple(name for _, _, name in sorted(ranked)[:count])
+    ranked.sort()
+    return tuple(item[2] for item in ranked[:count] if _is_as_near(item, ranked[0]))
+
+
+def _is_as_near(item: tuple[int, float, str], best: tuple[int, float, str]) -> bool:
+    """Whether what is ranked is not less like the expected name than the *best* is; of longer names none is nearer for having fewer words more."""
+    return item[0] == best[0] and item[1] < best[1] + (_WORDS_MORE if best[0] == _OF_PARTS else NEAR)
 
 
 def _rank(base: str, stem: str, other: str, name: str, owner: str) -> tuple[int, float] | None:
@@ -82,7 +96,7 @@ def _rank(base: str, stem: str, other: str, name: str, owner: str) -> tuple[int,
     if ratio >= _ALIKE:
         return (3, ratio) if _are_slips(left, right) else None
     is_part = (not left or not right) and min(len(stem), len(name)) >= _PART * max(len(stem), len(name))
-    return (4, ratio) if is_part else None
+    return (_OF_PARTS, ratio) if is_part else None
 
 
 def _are_slips(left: set[str], right: set[str]) -> bool:

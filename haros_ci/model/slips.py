@@ -9,6 +9,10 @@ from collections.abc import Iterable
 SLIPS = 2
 SHORT = 8
 LONGEST = 100  # characters of a word that is looked at
+#: So much less alike than the nearest one a word is that is as near for a reader.
+NEAR = 0.02
+#: So many equally near words are found: one more than a message names.
+_MOST = 4
 
 
 def nearly(word: str, known: Iterable[str]) -> str | None:
@@ -20,6 +24,19 @@ def nearly(word: str, known: Iterable[str]) -> str | None:
     found = get_close_matches(word, sorted(known), n=1, cutoff=0.75)
     allowed = SLIPS if len(word) > SHORT else SLIPS // 2
     return found[0] if found and slips(word, found[0]) <= allowed else None
+
+
+def equally_near(word: str, known: Iterable[str], cutoff: float = 0.75) -> tuple[str, ...]:
+    """The known words that *word* may be meant for, of which none is nearer than another: at most four, the nearest first; empty where none is alike."""
+    from difflib import SequenceMatcher, get_close_matches
+
+    found = get_close_matches(word, list(known), _MOST, cutoff)
+    matcher = SequenceMatcher(None, "", word)
+    ratios = []
+    for other in found:
+        matcher.set_seq1(other)
+        ratios.append(matcher.ratio())
+    return tuple(other for other, ratio in zip(found, ratios, strict=True) if ratio > ratios[0] - NEAR)
 
 
 def slips(one: str, other: str) -> int:

@@ -5,11 +5,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import replace
-from difflib import get_close_matches
 from functools import partial
 from itertools import islice
 from typing import Any
 
+from haros_ci.model.slips import equally_near
 from haros_ci.robot.evaluating import Evaluating
 from haros_ci.robot.expressions import Invalid, Undefined
 from haros_ci.robot.nodes import XmlNode
@@ -120,7 +120,7 @@ class Calling(Evaluating):
 def _similar(name: str, known: Iterable[str], cutoff: float = 0.7) -> tuple[str, ...]:
     """The names that *name* may be meant for."""
     near = [item for item in islice(known, MAX_KNOWN) if len(item) <= MAX_NAME]
-    return tuple(get_close_matches(name, near, 3, cutoff)) if len(name) <= MAX_NAME else ()
+    return equally_near(name, near, cutoff) if len(name) <= MAX_NAME else ()
 
 
 def _resolved(name: str, macros: Macros, scope: XacroScope) -> tuple[Macros, XacroScope, XacroMacro] | None:

@@ -57,7 +57,7 @@ class Completion:
         if self.types.known(use.package, use.program, use.ros) is not None:
             return use
         known = load_known(use.package, use.ros) or {}
-        return use if use.program in known else replace(use, similar=similar_names(use.program, known, use.package, 3))
+        return use if use.program in known else replace(use, similar=similar_names(use.program, known, use.package))
 
     def given(self, job: Job, nodes: Iterable[Node]) -> tuple[LaunchFact, ...]:
         """The parameter files of a launched process, and which of their sections are for one of its *nodes*.

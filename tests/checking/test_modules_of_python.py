@@ -80,3 +80,33 @@ def test_a_comment_imports_nothing(tmp_path: Path) -> None:
 @pytest.mark.parametrize(("needs", "count"), [("math", 1), ("sys math", 1), ("house_of_math", 0), ("", 1)])
 def test_nothing_comes_with_it(needs: str, count: int, tmp_path: Path) -> None:
     assert len(results("undeclared-import", needs, tmp_path)) == count
+
+
+@pytest.mark.parametrize(
+    ("line", "key"),
+    [
+        ("from google.protobuf import text_format", "python3-protobuf"),
+        ("import google.protobuf.text_format as text", "python3-protobuf"),
+        ("from google import protobuf", "python3-protobuf"),
+        ("from ruamel.yaml import YAML", "python3-ruamel.yaml"),
+        ("from mpl_toolkits.mplot3d import Axes3D", "python3-matplotlib"),
+        ("from google import genai\nimport google.protobuf", "python3-protobuf"),
+        ("import cv2, google.genai", "python3-opencv"),
+        # of another distribution, or not known of which
+        ("from google import genai", ""),
+        ("from google.genai import types", ""),
+        ("import google.generativeai as genai", ""),
+        ("from google.cloud import speech", ""),
+        ("import google.auth", ""),
+        ("import google", ""),
+        ("from google import (genai)", ""),
+        ("from ruamel.std import zipfile", ""),
+        ("from mpl_toolkits.basemap import Basemap", ""),
+        ("from backports import csv", ""),
+    ],
+)
+def test_of_a_namespace_package_the_portion_counts(line: str, key: str, tmp_path: Path) -> None:
+    run = f"import math\n{line}\n\n\ndef main():\n    math.sin(1)\n"
+    found = results("undeclared-import", "", tmp_path, run=run)
+
+    assert [key in one.message for one in found] == ([True] if key else [])

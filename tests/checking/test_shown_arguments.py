@@ -25,9 +25,9 @@ GIVES = '<arg name="hall" value="$(arg hall)"/>'
 @pytest.mark.parametrize(
     ("page", "robot", "level"),
     [
-        ("roslaunch heron robot.launch hall:=empty", ROBOT.format(""), Level.WARNING),
-        ("roslaunch heron robot.launch \\\n  hall:=empty", ROBOT.format(""), Level.WARNING),
-        ("roslaunch heron robot.launch speed:=1", ROBOT.format(""), Level.WARNING),
+        ("roslaunch heron robot.launch hall:=empty", ROBOT.format(""), Level.ERROR),
+        ("roslaunch heron robot.launch \\\n  hall:=empty", ROBOT.format(""), Level.ERROR),
+        ("roslaunch heron robot.launch speed:=1", ROBOT.format(""), Level.ERROR),
         # it is given
         ("roslaunch heron empty.launch hall:=a", ROBOT.format(""), Level.NOTE),
         ("roslaunch heron empty.launch \\\n  hall:=a", ROBOT.format(""), Level.NOTE),

@@ -263,6 +263,30 @@ def test_cppcheck(tmp_path: Path, errors: str, expected: list[object]) -> None:
     assert brief(parse(cppcheck, tmp_path, files, stderr=xml(errors), group=GROUP)) == expected
 
 
+@pytest.mark.parametrize(
+    ("needs", "given", "expected"),
+    [
+        ("int *", "unsigned int *", Level.NOTE),
+        ("unsigned int *", "signed int *", Level.NOTE),
+        ("long *", "unsigned long *", Level.NOTE),
+        ("short *", "unsigned short *", Level.NOTE),
+        ("int *", "unsigned char *", Level.WARNING),
+        ("int *", "signed long *", Level.WARNING),
+        ("int *", "double *", Level.WARNING),
+        ("unsigned int *", "size_t * {aka unsigned long *}", Level.WARNING),
+        ("int *", "int", Level.WARNING),
+    ],
+)
+def test_cppcheck_on_a_number_whose_sign_alone_differs(tmp_path: Path, needs: str, given: str, expected: Level) -> None:
+    message = f"%d in format string (no. 1) requires '{needs}' but the argument type is '{given}'."
+    stderr = xml(error("invalidScanfArgType_int", "warning").replace("Said &lt;it&gt;", message))
+    (said,) = parse(cppcheck, tmp_path, {"a.cpp": ""}, stderr=stderr, group=GROUP)
+    assert isinstance(said, Finding) and said.result.level is expected
+    stderr = stderr.replace("invalidScanfArgType_int", "invalidPrintfArgType_uint")
+    (said,) = parse(cppcheck, tmp_path, {"a.cpp": ""}, stderr=stderr, group=GROUP)
+    assert isinstance(said, Finding) and said.result.level is Level.WARNING
+
+
 def test_cppcheck_explains_with_all_its_locations(tmp_path: Path) -> None:
     (said,) = parse(
         cppcheck, tmp_path, {"a.cpp": ""}, stderr=xml(error(places="a.cpp:3:5 a.cpp:1:2 a.cpp:2:2")), group=GROUP

@@ -41,9 +41,12 @@ def levels(tmp_path: Path, manifests: dict[str, str], script: str, name: str) ->
         ({"arm/package.xml": ROS1}, f"#!/usr/bin/env python\n{SCRIPT}", "raw_input", []),
         ({"arm/package.xml": ROS1}, f"#!/usr/bin/env python3\n{SCRIPT}", "raw_input", [Level.WARNING]),
         ({"arm/package.xml": ROS1}, SCRIPT.replace("raw_", "row_"), "row_input", [Level.ERROR]),
-        ({"arm/package.xml": ROS2}, SCRIPT, "raw_input", [Level.ERROR]),
-        ({"arm/package.xml": ROS1, "leg/package.xml": ROS2.replace("arm", "leg")}, SCRIPT, "raw_input", [Level.ERROR]),
-        ({}, SCRIPT, "raw_input", [Level.ERROR]),
+        # nothing names the script
+        ({"arm/package.xml": ROS2}, SCRIPT, "raw_input", [Level.NOTE]),
+        ({"arm/package.xml": ROS1, "leg/package.xml": ROS2.replace("arm", "leg")}, SCRIPT, "raw_input", [Level.NOTE]),
+        ({}, SCRIPT, "raw_input", [Level.NOTE]),
+        ({"arm/package.xml": ROS2, "README.md": "Run tools/ask.py.\n"}, SCRIPT, "raw_input", [Level.ERROR]),
+        ({"arm/package.xml": ROS2, "tools/b.py": "import ask\n"}, SCRIPT, "raw_input", [Level.ERROR]),
     ],
 )
 def test_a_script_of_no_package(

@@ -224,6 +224,22 @@ def test_signatures_that_are_known(tmp_path: Path, text: str, more: dict[str, st
 
 
 @pytest.mark.parametrize(
+    ("text", "more", "expected"),
+    [
+        ("import numpy as np\nnp.reshape(a, newshape=(1, 2))\n", {}, True),
+        ("import numpy\nnumpy.percentile(a, 5, interpolation='linear')\n", {}, True),
+        ("import numpy as np\nnp.reshape(a, size=(1, 2))\n", {}, False),
+        ("import numpy as np\nnp.reshape(a)\n", {}, False),
+        ("import numpy as np\nnp.reshape(a, newshape=(1, 2))\n", {"numpy.py": ""}, False),
+        ("import tools as np\nnp.reshape(a, newshape=(1, 2))\n", {}, False),
+    ],
+)
+def test_keywords_of_a_former_numpy(tmp_path: Path, text: str, more: dict[str, str], expected: bool) -> None:
+    assert refuted(tmp_path, "no-value-for-parameter", {"a.py": text, **more}, "a.py", 2) is expected
+    assert refuted(tmp_path, "unexpected-keyword-arg", {"a.py": text, **more}, "a.py", 2) is expected
+
+
+@pytest.mark.parametrize(
     ("message", "expected"),
     [
         ("Using deprecated class Text of module typing", True),

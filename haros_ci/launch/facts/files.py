@@ -30,7 +30,7 @@ _MAKES = regex(
 #: Files that are written by hand, whatever else a build makes.
 _BY_HAND = (".launch", ".launch.py", ".launch.xml", "_launch.py", ".rviz", ".launch.yaml", ".vcg")
 _BUILD_FILES = ("CMakeLists.txt", "setup.py", "setup.cfg", "pyproject.toml")
-MAX_SIMILAR = 3
+MAX_SIMILAR = 4
 MAX_ALIKE = 2_000
 #: Shorter names say nothing outside of their package.
 MIN_NAME = 5

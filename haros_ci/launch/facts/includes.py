@@ -5,7 +5,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from dataclasses import replace
-from difflib import get_close_matches
 from typing import TYPE_CHECKING
 
 from haros_ci.launch.facts import ros2
@@ -14,6 +13,7 @@ from haros_ci.launch.facts.texts import named_packages
 from haros_ci.launch.ros2.places import Places
 from haros_ci.model.launch_actions import Description
 from haros_ci.model.launch_facts import ArgumentRead, IncludeUse, LaunchFact, PackageUse, PassedArgument
+from haros_ci.model.slips import equally_near
 from haros_ci.substitutions.names import Text
 
 #: How many names are likened to each other.
@@ -91,6 +91,6 @@ def finished(context: Context, statics: Statics) -> tuple[LaunchFact, ...]:
         if isinstance(fact, ArgumentRead) and reads < MAX_READS:
             reads += 1
             others = [name for name in known if name != fact.name]
-            fact = replace(fact, similar=tuple(get_close_matches(fact.name, others, 3, 0.7)))
+            fact = replace(fact, similar=equally_near(fact.name, others, 0.7))
         found.append(fact)
     return tuple(found)

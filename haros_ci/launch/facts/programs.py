@@ -72,7 +72,7 @@ class Programs:
             return False, _running(build, use.program), True
         if self._may_be_made(use, start):
             return None, (), False
-        script, similar = f"{use.program}.py", similar_names(use.program, names, use.package, 3)
+        script, similar = f"{use.program}.py", similar_names(use.program, names, use.package)
         if script in names:  # nothing is nearer than the script without its ending
             similar = (script, *(name for name in similar if name != script))[:3]
         return False, similar, False

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from difflib import get_close_matches
 from typing import TYPE_CHECKING, Any
 
 from haros_ci.graph.words import split
@@ -33,6 +32,7 @@ from haros_ci.model.launch_facts import (
     ProgramUse,
 )
 from haros_ci.model.location import Location
+from haros_ci.model.slips import equally_near
 from haros_ci.regex import regex
 from haros_ci.substitutions.names import Text
 
@@ -112,8 +112,17 @@ def undeclared(state: RoslaunchState, scope: LoaderScope, tag: LaunchElement, ra
         name = match[1]
         if name not in scope.args and name not in scope.missing:
             known = sorted({*scope.args, *scope.missing})[:100]
-            similar = tuple(get_close_matches(name, known, 3, 0.7)) if len(state.facts.found) < 5_000 else ()
-            note(state, scope, ArgumentRead, place(scope, tag), name=name, similar=similar)
+            similar = equally_near(name, known, 0.7) if len(state.facts.found) < 5_000 else ()
+            is_undecided = bool(scope.conditions) or (tag.get("if") or tag.get("unless") or raw) != raw
+            note(
+                state,
+                scope,
+                ArgumentRead,
+                place(scope, tag),
+                name=name,
+                similar=similar,
+                is_undecided=is_undecided,
+            )
 
 
 def declared(state: RoslaunchState, scope: LoaderScope, tag: LaunchElement, name: str) -> None:

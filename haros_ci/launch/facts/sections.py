@@ -15,6 +15,8 @@ from haros_ci.regex import regex
 from haros_ci.substitutions.names import MARK
 
 SECTION = "ros__parameters"
+#: So many parameters of a section are remembered, and so deep ones; of more none.
+_NAMES, _DEPTH = 100, 10
 _KEY = regex(r"^[ \t]*(['\"]?)([^'\"#\s:-][^:'\"\n]*?)\1[ \t]*:", re.MULTILINE)
 
 
@@ -23,7 +25,8 @@ def sections_of(places: Places, file: str, trees: tuple[Tree, ...], component: s
     lines = _lines(places, file)
     found = []
     for tree in trees:
-        for keys, line in _below(tree, ()):
+        for keys, inside in _below(tree, ()):
+            line = inside.line
             pattern = "".join(f"/{key.lstrip('/')}" for key in keys) if len(keys) > 1 else "".join(keys)
             if MARK in pattern or not keys:
                 continue
@@ -32,17 +35,34 @@ def sections_of(places: Places, file: str, trees: tuple[Tree, ...], component: s
                 matches = pattern.lstrip("/") in ("**", component.lstrip("/"))
             at = lines.get(keys[-1], ())
             place = bisect_right(at, line) - 1
-            found.append(NodePattern(pattern, Location(file, at[place] if place >= 0 else line), matches))
+            where = Location(file, at[place] if place >= 0 else line)
+            found.append(NodePattern(pattern, where, matches, _names(inside.entries.get(SECTION))))
     return tuple(found)
 
 
-def _below(tree: Tree, keys: tuple[str, ...]) -> Iterator[tuple[tuple[str, ...], int]]:
+def _below(tree: Tree, keys: tuple[str, ...]) -> Iterator[tuple[tuple[str, ...], Map]]:
+    """Maps that have the section's key, with the keys that lead to them."""
     if isinstance(tree, Map):
         for key, value in tree.entries.items():
             if key == SECTION:
-                yield keys, tree.line
+                yield keys, tree
             else:
                 yield from _below(value, (*keys, key))
+
+
+def _names(tree: Tree | None) -> tuple[str, ...]:
+    """The names of the parameters in a section; () where there are too many, or too deep ones."""
+    found: list[str] = []
+    waiting: list[tuple[Tree | None, str, int]] = [(tree, "", 0)]
+    while waiting:
+        inner, name, depth = waiting.pop()
+        if isinstance(inner, Map):
+            if depth > _DEPTH or len(waiting) + len(inner.entries) > _NAMES:
+                return ()
+            waiting += [(value, f"{name}.{key}" if name else key, depth + 1) for key, value in inner.entries.items()]
+        elif name:
+            found.append(name)
+    return tuple(sorted(found)) if len(found) <= _NAMES else ()
 
 
 def _lines(places: Places, file: str) -> Mapping[str, tuple[int, ...]]:
