@@ -257,7 +257,7 @@ def accessed(walk: Walk, frame: Frame, expression: syntax.Subscript | syntax.Cal
 
 
 def element(walk: Walk, frame: Frame, container: Value, key: Value, kind: Type | None = None) -> Cell | None:
-    """The cell of one element of a sequence or map; a map of C++ makes what is not there, as *kind* says."""
+    """The cell of one element of a sequence or map; a map of C++ makes what is not there, as *kind* says: that of its entries."""
     if isinstance(container, Pointer):
         container = container.cell.value
     if isinstance(container, Sequence) and isinstance(container.content.value, tuple):
@@ -280,4 +280,13 @@ def element(walk: Walk, frame: Frame, container: Value, key: Value, kind: Type |
             cell = Cell(value, kind)
             walk.state.write(container.content, {**container.content.value, key.value: cell})
         return cell
+    if (
+        kind is not None
+        and isinstance(container, Mapped)
+        and container.content.value == {}
+        and not isinstance(key, Known)
+    ):
+        walk.state.write(
+            container.content, walk.opaque("an entry whose key is not known", frame)
+        )  # it has one from now on
     return None

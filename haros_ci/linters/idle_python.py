@@ -66,6 +66,7 @@ class _Idle:
         }
         self._package_of = workspace.package_finder()
         self._asked = 0
+        self._used: dict[tuple[str, str], bool] = {}
         self._doubting = Doubting()
 
     def has(self, result: Result) -> bool:
@@ -100,6 +101,11 @@ class _Idle:
 
     def _is_used(self, name: str, path: str, text: str) -> bool:
         """Whether *name*, of the file at *path* with that *text*, stands outside of comments there, or in another file that does not define it itself."""
+        if (name, path) not in self._used:
+            self._used[name, path] = self._stands_elsewhere(name, path, text)
+        return self._used[name, path]
+
+    def _stands_elsewhere(self, name: str, path: str, text: str) -> bool:
         used = re.compile(rf"(?<!def )(?<!class )\b{name}\b")
         if used.search(without_comments(text, "python")) is not None:
             return True

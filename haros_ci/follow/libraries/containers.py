@@ -103,15 +103,18 @@ def sequence(walk: Walk, frame: Frame, receiver: Sequence, name: str, args: tupl
         walk.state.write(receiver.content, added)
         return NONE
     if name in ("push_back", "emplace_back", "insert", "push_front", "emplace_front", "emplace"):
+        value: Value = args[0].value if len(args) == 1 else NONE
         if known and name in ("push_back", "emplace_back") and len(args) == 1 and len(held) < LIST_LIMIT:
-            value = conversions.converted(copies.copied(walk, args[0].value, inner), inner)
+            value = conversions.converted(copies.copied(walk, value, inner), inner)
             walk.state.write(receiver.content, (*held, Cell(value, inner)))
         elif known and name == "emplace_back" and inner is not None and len(held) < LIST_LIMIT:
             value = construct.of_template(walk, frame, inner, args, Location(frame.source.path))
             walk.state.write(receiver.content, (*held, Cell(value, inner)))
         else:
             walk.state.write(receiver.content, _grown(walk, frame, cells, name, args, inner))
-        return NONE
+        if name not in ("emplace_back", "emplace_front"):
+            return NONE
+        return value if isinstance(value, Object) else walk.opaque("an element of a list", frame, None, inner)
     if name == "clear":
         walk.state.write(receiver.content, ())
         return NONE
