@@ -31,6 +31,7 @@ TAKES_ONE = frozenset(
 GIVEN = "given"
 #: Why the value of a parameter is not known of which the name is not, and of one that has no default.
 NO_NAME = "the parameter's name is not known"
+OF_WHICH = "the node's name is not known, and a section of parameters for one node may be for it"
 NO_DEFAULT = "the parameter is declared without a default, and nothing seen gives it a value"
 #: What a rule's source begins with that is for topics, or for services, alone.
 TOPIC, SERVICE = "rostopic://", "rosservice://"
@@ -257,6 +258,9 @@ class Parameters:
             return self.every(node, under)
         if UNKNOWN in name:
             return self._like(node, name)
+        other = self._of_another(node, name) if UNKNOWN in node else None
+        if other is not None:
+            return Perhaps(OF_WHICH, other.location)
         found: list[ParameterRule] = []
         for pattern, section in self._sections.items():
             if name in section and matches(pattern, node):
@@ -278,6 +282,13 @@ class Parameters:
         if last.unknowns or last.value is None:
             return Opaque(reason(last), last.origin or last.location)
         return Known(last.value)
+
+    def _of_another(self, node: str, name: str) -> ParameterRule | None:
+        """A rule for the parameter *name* of nodes of which one may be *node*, a name that is known in parts only."""
+        for pattern, section in self._sections.items():
+            if name in section and not matches(pattern, node) and fits(f"/{pattern.lstrip('/')}", node):
+                return section[name][-1]
+        return None
 
     def _like(self, node: str, shape: str) -> Value | None:
         """None unless a node gets a parameter whose name is known in parts only; which parameter that is cannot be decided."""
