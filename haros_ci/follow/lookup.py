@@ -20,7 +20,7 @@ from haros_ci.follow import (
 from haros_ci.follow.frames import NEXT, Frame, looked_up_from
 from haros_ci.follow.libraries import cpp as library_cpp
 from haros_ci.follow.libraries import numbers as library_numbers
-from haros_ci.follow.libraries import optionals, python_modules, python_numbers
+from haros_ci.follow.libraries import optionals, own_files, python_modules, python_numbers
 from haros_ci.follow.ros import qos
 from haros_ci.follow.walk import Walk
 from haros_ci.index.common_messages import NAMES
@@ -35,7 +35,6 @@ from haros_ci.values.abstract import (
     Library,
     Module,
     Object,
-    Text,
     Value,
     join,
     tick,
@@ -236,8 +235,7 @@ def python_name(walk: Walk, frame: Frame, name: str) -> Value:
             del tried[frame.source.path]
             return value
     if name == "__file__":
-        directory = walk.opaque("where the file lies is not known", frame)
-        return Text((directory, f"/{frame.source.path.rpartition('/')[2]}"))
+        return own_files.own_file(walk, frame)
     if name == "__name__":
         is_run = walk.is_program and frame.source.path in walk.files
         module = "__main__" if is_run else frame.source.module

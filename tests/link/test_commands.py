@@ -214,6 +214,38 @@ def test_commands_of_argparse() -> None:
     assert made(python(PARSER + SENT)) == ["/a talk", "/b hear"]
 
 
+@pytest.mark.parametrize(
+    "words", ["rospy.myargv()[1:]", "rospy.myargv(argv=sys.argv)[1:]", "sys.argv[1:]", "args=sys.argv[1:]"]
+)
+def test_commands_of_argparse_with_the_words_of_the_command_line(words: str) -> None:
+    """Of a program that no launch file starts."""
+    body = "import sys\n" + PARSER + SENT.replace("parse_args()", f"parse_args({words})")
+    assert made(python(body)) == ["/a talk", "/b hear"]
+
+
+OWN = PARSER.replace("PUB('a')", "PUB(o.n)").replace("PUB('b')", "PUB(o.to)")
+
+
+@pytest.mark.parametrize(
+    ("before", "expected"),
+    [
+        ("", ["/? hear", "/x talk"]),
+        ("r.add_argument('-n')\n", ["/? hear", "/? talk"]),
+        ("r.set_defaults(n='y')\n", ["/? hear", "/? talk"]),
+        ("r.add_subparsers().add_parser('in').add_argument('--more', dest='n')\n", ["/? hear", "/? talk"]),
+        ("p.add_argument('file')\n", ["/? hear", "/? talk"]),
+    ],
+)
+def test_options_beside_commands_have_their_defaults(before: str, expected: list[str]) -> None:
+    body = "import sys\n" + OWN + before + SENT.replace("parse_args()", "parse_args(sys.argv[1:])")
+    assert made(python(body)) == expected
+
+
+@pytest.mark.parametrize("words", ["['talk']", "['t', '--'][:1]"])
+def test_commands_of_argparse_with_words_of_the_program(words: str) -> None:
+    assert made(python(PARSER + SENT.replace("parse_args()", f"parse_args({words})"))) == ["/a"]
+
+
 def test_commands_in_commands_of_argparse() -> None:
     inner = "i = r.add_subparsers().add_parser('in')\ni.set_defaults(func=talk)\n"
     assert made(python(PARSER + inner + SENT)) == ["/a", "/b hear"]  # by talk or by hear in

@@ -6,6 +6,7 @@ The words are read by argparse itself, from a parser with the same options; noth
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from haros_ci.follow import comprehensions, slices
@@ -107,6 +108,8 @@ def _options(walk: Walk, frame: Frame, this: Object, args: tuple[PassedArgument,
     is_given = len(args) == 1 and args[0].keyword in ("", "args")
     if own is not None and (is_given or not args):
         found = _launched(walk, frame, this, own, is_partly)
+    elif is_given and not walk.context.is_launched and _words(args[0].value) == [] and _has_commands(this):
+        found = _of_any_command(walk, frame, this)
     else:
         found = _parsed(this, args, is_partly)
     if found is not None:
@@ -159,6 +162,39 @@ def _functions(this: Object, names: tuple[str, ...], found: dict[str, list[Cell]
         for command in argparse_words.elements(option) if option.name == COMMANDS else ():
             called = argparse_words.names(command)
             _functions(command, (*names, called[0] if called else "?"), found, depth + 1)
+
+
+def _has_commands(this: Object) -> bool:
+    return any(option.name == COMMANDS for option in argparse_words.elements(this))
+
+
+def _of_any_command(walk: Walk, frame: Frame, this: Object) -> Object:
+    """The options of a program that is given one of its commands and nothing else: those of the commands are not known, its own have their defaults."""
+    options, every = _unread(walk, frame, this), argparse_words.elements(this)
+    own: Elements = tuple(Cell(option) for option in every if option.name != COMMANDS)
+    try:
+        space, _, kept = argparse_words.read(
+            Object(PARSER, fields={**this.fields, DECLARED: Cell(Sequence(Cell(own)))}), []
+        )
+    except (argparse_words.Ended, *UNREADABLE):
+        return options
+    others = {name for option in every if option.name == COMMANDS for name in _declared_inside(option, 0)}
+    for key, data in space.items():
+        if key not in others:
+            options.fields.setdefault(key, Cell(argparse_words.value_of(data, kept)))
+    return options
+
+
+def _declared_inside(commands: Object, depth: int) -> Iterator[str]:
+    """The names that the options of commands, and of those below, may have in the result."""
+    for command in argparse_words.elements(commands) if depth < DEEP else ():
+        yield from argparse_words.defaults(command)
+        for option in argparse_words.elements(command):
+            if option.name == COMMANDS:
+                yield from _declared_inside(option, depth + 1)
+            for cell in option.fields.values():
+                if isinstance(cell.value, Known) and issubclass(cell.value.kind, str):
+                    yield cell.value.of(str).lstrip("-").replace("-", "_")
 
 
 def _parsed(this: Object, args: tuple[PassedArgument, ...], is_partly: bool) -> Value | None:

@@ -12,6 +12,7 @@ import re
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
+from haros_ci.follow.libraries import own_files
 from haros_ci.regex import regex
 from haros_ci.values.abstract import (
     TEXT_LIMIT,
@@ -226,6 +227,8 @@ def of_path(name: str, text: Text) -> Value | None:
         case "basename":
             return Known(base)
         case "abspath":
+            if isinstance(text.parts[0], own_files.Directory):
+                return text
             return Text((Opaque("where a file lies is not known"), f"/{base}"))
         case "splitext":
             stem, ending = posixpath.splitext(base)

@@ -16,6 +16,7 @@ from haros_ci.follow.libraries import (
     attribute_names,
     formats,
     made_classes,
+    own_files,
     partly_texts,
     python_kinds,
     python_lists,
@@ -135,6 +136,8 @@ def function(walk: Walk, frame: Frame, name: str, args: tuple[PassedArgument, ..
         return formats.path(walk, frame, args)
     if name in formats.PATHS and isinstance(first, Known) and issubclass(first.kind, str) and len(args) == 1:
         return formats.of_path(name, first.of(str))
+    if len(args) == 1 and first is not None and (place := own_files.of_path(name, first)) is not None:
+        return place
     if isinstance(first, Text) and len(args) == 1 and (found := partly_texts.of_path(name, first)) is not None:
         return found
     if name in ("open", "io.open", "file") and first is not None:

@@ -9,6 +9,7 @@ from functools import partial
 from haros_ci import syntax
 from haros_ci.follow import alternatives, construct, dynamic
 from haros_ci.follow.frames import Frame
+from haros_ci.follow.libraries import own_files
 from haros_ci.follow.walk import Walk
 from haros_ci.index.plugins import PluginDescription
 from haros_ci.model.location import Location
@@ -108,6 +109,8 @@ def is_declared(walk: Walk, loader: Object, name: Value) -> Value | None:
 
 
 def yaml_file(walk: Walk, path: Value) -> Value:
+    if (place := own_files.in_workspace(path)) is not None:
+        path = Known(place)
     if isinstance(path, Known) and issubclass(path.kind, str):
         if walk.index.trace is not None:
             walk.index.trace.read[path.of(str)] = walk.context.read_yaml.digest(path.of(str))
