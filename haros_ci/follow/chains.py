@@ -6,7 +6,7 @@ Callbacks are rehearsed until nothing new comes. What is still new when that has
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 
 from haros_ci.follow.made import Root
 from haros_ci.follow.walk import Walk
@@ -16,9 +16,11 @@ from haros_ci.values.effects import Effects
 from haros_ci.values.state import Writes, joined
 
 #: Steps of rehearsals of a node up to which all of its callbacks are rehearsed once more; up to which some are again and again.
-CHEAP, MOST = 2_000, 40_000
+CHEAP, MOST = 2_000, 30_000
 #: Rehearsals of each callback: a choice of more values than these could find is not known anyway.
 ROUNDS = 10
+#: Variables of all callbacks together from which on each callback is rehearsed twice at most.
+WIDE = 100_000
 #: Why a value is not known.
 GOES_ON = "callbacks give it one value after another"
 #: Types of plain data.
@@ -37,27 +39,26 @@ def followed(
     *batch* are those from the number *first* on: what each does by itself is in ``walk.effects``, and stays there. *rehearse* gives
     what a callback writes that begins with what others leave behind; *put_together* that with what it wrote before.
     """
-    begun, every, is_cheap, numbers = (
-        tick(),
-        walk.effects.copy(),
-        walk.rehearsed < CHEAP,
-        range(first, first + len(batch)),
-    )
-    asked = [number for number in numbers if is_cheap or _open(walk, every, number)]
-    for turn in range(ROUNDS):
+    begun, every, is_cheap, spent = tick(), walk.effects.copy(), walk.rehearsed < CHEAP, dict(walk.spent)
+    numbers = range(first, first + len(batch))
+    cells = _assignable(walk, numbers)
+    rounds = ROUNDS if sum(map(len, cells.values())) < WIDE else 2
+    asked = [number for number in numbers if is_cheap or _open(cells, every, number)]
+    for turn in range(rounds):
         if not asked:
-            break
+            return every
         before, effects = every, every.every[:]
         for number in asked:
             effects[number] = put_together(effects[number], rehearse(walk.roots[number], before, number))
+        walk.spent = dict(spent)  # it takes nothing of what may go into functions in earnest
         every = Effects(effects)
         new = [cell for cell in every.together if walk.is_older(cell, begun) and _is_new(cell, before, every)]
         if not new:
-            break
-        if walk.rehearsed > MOST or turn == ROUNDS - 1:
-            left = {*new, *(cell for number in numbers for cell in _open(walk, every, number))}
+            return every
+        if walk.quiet_steps > MOST or turn == rounds - 1:
+            left = {*new, *(cell for number in numbers for cell in _open(cells, every, number))}
             return Effects([*effects, {cell: Opaque(GOES_ON, type=cell.type) for cell in left}])
-        asked = [number for number in numbers if _open(walk, every, number)]
+        asked = [number for number in numbers if _open(cells, every, number)]
     return every
 
 
@@ -70,19 +71,30 @@ def _is_new(cell: Slot, before: Effects, after: Effects) -> bool:
     return isinstance(value, Opaque) or len(_options(joined(held, value))) > len(_options(held))
 
 
-def _open(walk: Walk, effects: Effects, number: int) -> list[Cell]:
-    """The variables with plain data that a callback may assign to and has not, or to which it may assign other data than it has."""
-    function, mine = walk.roots[number].function, effects.every[number]
-    names = walk.relevance.changes(function.function, function.source)
-    cells: list[Cell] = [cell for (_, name), cell in walk.globals.items() if name in names]
-    if function.this is not None:
-        cells += [cell for name, cell in function.this.fields.items() if name in names]
-    return [cell for cell in cells if _is_open(cell, mine)]
+def _assignable(walk: Walk, numbers: Iterable[int]) -> dict[int, list[Cell]]:
+    """For each callback the variables with plain data that it, or what it calls, may assign to."""
+    every: dict[str, list[Cell]] = {}
+    for (_, name), cell in walk.globals.items():
+        if _kinds(cell.value):
+            every.setdefault(name, []).append(cell)
+    found: dict[int, list[Cell]] = {}
+    for number in numbers:
+        function = walk.roots[number].function
+        names = walk.relevance.changes(function.function, function.source)
+        fields = function.this.fields if function.this is not None else {}
+        found[number] = [fields[name] for name in fields if name in names and _kinds(fields[name].value)]
+        found[number] += [cell for name in every if name in names for cell in every[name]]
+    return found
+
+
+def _open(cells: Mapping[int, Sequence[Cell]], effects: Effects, number: int) -> list[Cell]:
+    """Of what a callback may assign to what it has not, or to which it may assign other data than it has."""
+    return [cell for cell in cells[number] if _is_open(cell, effects.every[number])]
 
 
 def _is_open(cell: Cell, mine: Writes) -> bool:
-    held, left = _kinds(cell.value), _kinds(mine.get(cell))
-    return bool(held) and (cell not in mine or (bool(left) and held | left != {bool}))
+    left = _kinds(mine.get(cell))
+    return cell not in mine or (bool(left) and _kinds(cell.value) | left != {bool})
 
 
 def _kinds(value: object) -> set[type]:

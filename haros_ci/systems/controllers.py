@@ -11,8 +11,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import replace
 
+from haros_ci.graph.given_parameters import Parameters
 from haros_ci.graph.names import clean
-from haros_ci.graph.ros2_process import Parameters
 from haros_ci.graph.words import shell_words
 from haros_ci.model.architecture import Unknown
 from haros_ci.model.launch import LaunchedNode, ParameterRule

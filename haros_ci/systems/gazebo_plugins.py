@@ -18,8 +18,8 @@ from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries.gazebo import HANDLE_NAME, Sdf, called, element, parent
 from haros_ci.follow.ros.ends import by, endpoints
 from haros_ci.follow.walk import Walk
+from haros_ci.graph.given_parameters import Parameters
 from haros_ci.graph.parameters import ParameterServer
-from haros_ci.graph.ros2_process import Parameters
 from haros_ci.index.index import Source
 from haros_ci.keeping.kept import digest_of
 from haros_ci.model.architecture import Node, Unknown

@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
 
-from haros_ci.graph.ros2_process import matches
+from haros_ci.graph.given_parameters import matches
 from haros_ci.launch.facts.files import Finder
 from haros_ci.launch.facts.programs import Programs
 from haros_ci.model.architecture import Node

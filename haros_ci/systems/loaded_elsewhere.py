@@ -19,8 +19,9 @@ from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries.given_away import BEGINNING
 from haros_ci.follow.ros.ends import endpoints
 from haros_ci.follow.walk import Walk
+from haros_ci.graph.given_parameters import Parameters
 from haros_ci.graph.parameters import ParameterServer, Perhaps
-from haros_ci.graph.ros2_process import GIVEN, Parameters, RosNode
+from haros_ci.graph.ros2_process import GIVEN, RosNode
 from haros_ci.index.index import Source, is_test
 from haros_ci.index.types import pointee
 from haros_ci.model.architecture import Node, Unknown

@@ -8,10 +8,10 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from haros_ci.follow.ros.ros2_nodes import MANAGED
+from haros_ci.graph.given_parameters import reason as reason_of
 from haros_ci.graph.names import clean
 from haros_ci.graph.parameters import Perhaps
 from haros_ci.graph.ros2_process import RosNode
-from haros_ci.graph.ros2_process import reason as reason_of
 from haros_ci.graph.words import shell_words
 from haros_ci.graph.words import split as words_of
 from haros_ci.model.architecture import Node, Unknown
@@ -24,7 +24,8 @@ from haros_ci.systems.ros2_implicit import implicit
 from haros_ci.values.abstract import Known, Value, data_of, opaque_of
 
 if TYPE_CHECKING:
-    from haros_ci.graph.ros2_process import Parameters, RemappingRule
+    from haros_ci.graph.given_parameters import Parameters
+    from haros_ci.graph.ros2_process import RemappingRule
     from haros_ci.model.launch import LaunchedNode
     from haros_ci.systems.following import Types
 

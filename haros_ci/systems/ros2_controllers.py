@@ -20,8 +20,9 @@ from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import objects as library_objects
 from haros_ci.follow.ros import api_rows, ros2_nodes
 from haros_ci.follow.walk import Walk
+from haros_ci.graph.given_parameters import Parameters
 from haros_ci.graph.names import pattern
-from haros_ci.graph.ros2_process import NAMES, Parameters
+from haros_ci.graph.ros2_process import NAMES
 from haros_ci.index.index import Source
 from haros_ci.model.architecture import Node
 from haros_ci.model.build import PluginClass

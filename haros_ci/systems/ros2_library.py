@@ -19,7 +19,8 @@ from haros_ci.follow.follow import Entry
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.ros import ros2_nodes
 from haros_ci.follow.walk import Walk
-from haros_ci.graph.ros2_process import GIVEN, Parameters, RosNode
+from haros_ci.graph.given_parameters import Parameters
+from haros_ci.graph.ros2_process import GIVEN, RosNode
 from haros_ci.index.index import Source
 from haros_ci.index.types import pointee
 from haros_ci.model.architecture import LIBRARY, Node, Unknown

@@ -11,8 +11,9 @@ from typing import Any
 from haros_ci.follow.context import Context
 from haros_ci.follow.follow import Entry
 from haros_ci.follow.ros import behavior_trees
+from haros_ci.graph.given_parameters import Parameters
 from haros_ci.graph.names import clean
-from haros_ci.graph.ros2_process import Parameters, Process, RemappingRule
+from haros_ci.graph.ros2_process import Process, RemappingRule
 from haros_ci.keeping.kept import Followed, digest_of
 from haros_ci.model.architecture import Node, RemapRule
 from haros_ci.model.workspace import Problem

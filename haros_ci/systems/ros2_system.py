@@ -12,10 +12,11 @@ from haros_ci.follow.ros import outside_nodes
 from haros_ci.follow.ros.ends import endpoints
 from haros_ci.follow.ros.paces import paces
 from haros_ci.follow.ros.ros2_nodes import ALONE, SIM_TIME, UNDECLARED
+from haros_ci.graph.given_parameters import InContainer, Parameters
 from haros_ci.graph.names import clean
 from haros_ci.graph.parameters import ParameterServer
 from haros_ci.graph.remap_rules import of_ros2_node, ros2_rules
-from haros_ci.graph.ros2_process import InContainer, Parameters, RemappingRule, RosNode, ros_arguments, rule_of, schemed
+from haros_ci.graph.ros2_process import RemappingRule, RosNode, ros_arguments, rule_of, schemed
 from haros_ci.graph.words import shell_words, with_parts
 from haros_ci.keeping.kept import Followed
 from haros_ci.model.architecture import KINDS, Endpoint, Node, Parameter, Unknown

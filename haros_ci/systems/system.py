@@ -13,10 +13,10 @@ from haros_ci.follow.ros.ends import UNNAMED, by, endpoints
 from haros_ci.follow.ros.own_name import ANONYMOUS, OwnName, own_name
 from haros_ci.follow.ros.paces import paces
 from haros_ci.follow.walk import Renamed
+from haros_ci.graph.given_parameters import Parameters
 from haros_ci.graph.names import clean, resolve, resolve_target
 from haros_ci.graph.parameters import ParameterServer, own_parameters
 from haros_ci.graph.remap_rules import of_ros1_node, written_rule
-from haros_ci.graph.ros2_process import Parameters
 from haros_ci.graph.words import scalar, split
 from haros_ci.keeping.kept import Followed
 from haros_ci.model.architecture import KINDS, Node, Unknown

@@ -5,8 +5,8 @@ from __future__ import annotations
 
 import pytest
 
+from haros_ci.graph.given_parameters import Parameters
 from haros_ci.graph.parameters import Perhaps
-from haros_ci.graph.ros2_process import Parameters
 from haros_ci.model.launch import ParameterRule
 from haros_ci.model.location import Location
 from haros_ci.values.abstract import Known

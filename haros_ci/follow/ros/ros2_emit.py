@@ -10,8 +10,9 @@ from haros_ci.follow import conversions, thrown
 from haros_ci.follow.made import MadeEntity, Range, make
 from haros_ci.follow.ros import forwarding, paces, qos_calls, qos_overrides, ros2_nodes, ros2_parameters, ros2_selectors
 from haros_ci.follow.ros.possible_names import ONE_OF_NAMES, possible_names
+from haros_ci.graph.given_parameters import NO_NAME
 from haros_ci.graph.names import UNKNOWN, pattern
-from haros_ci.graph.ros2_process import GIVEN, NO_DEFAULT, NO_NAME, RosNode
+from haros_ci.graph.ros2_process import GIVEN, NO_DEFAULT, RosNode
 from haros_ci.index.ros_types import is_hidden, ros2_data_type, ros2_parameter_type
 from haros_ci.model.api import Entry
 from haros_ci.model.architecture import KINDS

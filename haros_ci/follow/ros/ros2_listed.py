@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from haros_ci import syntax
 from haros_ci.follow.ros import ros2_nodes
-from haros_ci.graph.ros2_process import EVERY
+from haros_ci.graph.given_parameters import EVERY
 from haros_ci.values.abstract import Cell, Known, Opaque, Pointer, Sequence, Value
 
 if TYPE_CHECKING:

@@ -9,9 +9,10 @@ from typing import TYPE_CHECKING
 
 from haros_ci.follow import twins
 from haros_ci.graph import ros2_process
+from haros_ci.graph.given_parameters import Parameters
 from haros_ci.graph.names import clean, pattern
 from haros_ci.graph.parameters import Perhaps
-from haros_ci.graph.ros2_process import Parameters, RemappingRule, RosArguments, RosNode
+from haros_ci.graph.ros2_process import RemappingRule, RosArguments, RosNode
 from haros_ci.model.api import Entry
 from haros_ci.model.location import Location
 from haros_ci.values.abstract import NONE, Cell, Choice, Known, Mapped, Object, Opaque, Pointer, Sequence, Value

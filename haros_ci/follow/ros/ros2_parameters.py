@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING
 
 from haros_ci import syntax
 from haros_ci.follow.ros import ros2_nodes
+from haros_ci.graph.given_parameters import NO_NAME, fits
 from haros_ci.graph.names import pattern
-from haros_ci.graph.ros2_process import NO_NAME, RosNode, fits
+from haros_ci.graph.ros2_process import RosNode
 from haros_ci.index.ros_types import ros2_parameter_type
 from haros_ci.values.abstract import NONE, TRUE, Cell, Known, Object, Opaque, Sequence, Value, join
 from haros_ci.values.state import Held

@@ -5,8 +5,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 
+from haros_ci.graph.given_parameters import Parameters
 from haros_ci.graph.names import clean, resolve
-from haros_ci.graph.ros2_process import Parameters, RosNode
+from haros_ci.graph.ros2_process import RosNode
 from haros_ci.graph.words import CommandLineArguments
 from haros_ci.model.launch import LaunchedNode, LaunchedSystem
 from haros_ci.model.launch_facts import CommandUse

@@ -8,8 +8,8 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from haros_ci.graph.given_parameters import Parameters
 from haros_ci.graph.names import clean
-from haros_ci.graph.ros2_process import Parameters
 from haros_ci.graph.words import CommandLineArguments, split
 from haros_ci.model.architecture import Node
 from haros_ci.model.launch import LaunchedNode

@@ -15,7 +15,7 @@ from functools import lru_cache
 from pathlib import Path
 from types import MappingProxyType
 
-from haros_ci.graph.ros2_process import Parameters
+from haros_ci.graph.given_parameters import Parameters
 from haros_ci.model.architecture import Endpoint, Node, Unknown
 from haros_ci.model.launch import LaunchedNode
 from haros_ci.model.workspace import Problem
