@@ -8,11 +8,10 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from haros_ci.follow import twins
-from haros_ci.graph import ros2_process
 from haros_ci.graph.given_parameters import Parameters
 from haros_ci.graph.names import clean, pattern
 from haros_ci.graph.parameters import Perhaps
-from haros_ci.graph.ros2_process import RemappingRule, RosArguments, RosNode
+from haros_ci.graph.ros2_process import RemappingRule, RosArguments, RosNode, from_arguments, named, ros_arguments
 from haros_ci.model.api import Entry
 from haros_ci.model.location import Location
 from haros_ci.values.abstract import NONE, Cell, Choice, Known, Mapped, Object, Opaque, Pointer, Sequence, Value
@@ -140,7 +139,7 @@ def made(
     is_contained = process.component is not None and (isinstance(options, Opaque) or _flag(options, CONTAINED) is True)
     is_global = _flag(options, "use_global_arguments") is not False
     rules = (*local.rules, *(process.rules if is_global else ()))
-    full, own = ros2_process.named(text, above, rules)
+    full, own = named(text, above, rules)
     unknown = None
     if is_open:
         full, own, unknown = "/?", "/?", ("the arguments in its options are not known", location)
@@ -172,7 +171,7 @@ def made(
         options=switches,
     )
     if not is_open and not is_contained:
-        twins.made(walk, target, full, ros2_process.named(text, above, local.rules)[0], location)
+        twins.made(walk, target, full, named(text, above, local.rules)[0], location)
     if not walk.quiet:
         known = next((n for n in walk.nodes if (n.name, n.location) == (full, location)), None)
         if known is None:
@@ -241,12 +240,12 @@ def _arguments(options: Value | None) -> tuple[RosArguments, bool]:
         words = [pattern(marked(cell.value))[0] for cell in held.content.value]
     else:
         return RosArguments(), True
-    return ros2_process.ros_arguments(words), False
+    return ros_arguments(words), False
 
 
 def _parameters(local: RosArguments, node: str, location: Location) -> dict[str, Value]:
     """What the arguments in a node's own options give it; ``?`` stands for what files may say."""
-    provided = Parameters(ros2_process.from_arguments(local, location))
+    provided = Parameters(from_arguments(local, location))
     found: dict[str, Value] = {name: provided.get(node, name) or NONE for name in provided.of(node)}
     if local.files:
         found["?"] = Perhaps("a parameter file in the node's options may set it", location)
