@@ -41,10 +41,9 @@ def followed(
     """
     begun, every, is_cheap, spent = tick(), walk.effects.copy(), walk.rehearsed < CHEAP, dict(walk.spent)
     numbers = range(first, first + len(batch))
-    cells = _assignable(walk, numbers)
-    rounds = ROUNDS if sum(map(len, cells.values())) < WIDE else 2
+    cells = {} if is_cheap else _assignable(walk, numbers)
     asked = [number for number in numbers if is_cheap or _open(cells, every, number)]
-    for turn in range(rounds):
+    for turn in range(ROUNDS):
         if not asked:
             return every
         before, effects = every, every.every[:]
@@ -55,7 +54,8 @@ def followed(
         new = [cell for cell in every.together if walk.is_older(cell, begun) and _is_new(cell, before, every)]
         if not new:
             return every
-        if walk.quiet_steps > MOST or turn == rounds - 1:
+        cells = cells or _assignable(walk, numbers)
+        if turn == ROUNDS - 1 or walk.quiet_steps > MOST or (turn and sum(map(len, cells.values())) > WIDE):
             left = {*new, *(cell for number in numbers for cell in _open(cells, every, number))}
             return Effects([*effects, {cell: Opaque(GOES_ON, type=cell.type) for cell in left}])
         asked = [number for number in numbers if _open(cells, every, number)]
