@@ -44,6 +44,8 @@ def check(project: Project) -> Iterator[Finding]:
                 missing.setdefault(need.providers, []).append(need)
         for uses in missing.values():
             name = first_provider(uses[0].providers, package)
+            if any(name in providers and name == first_provider(providers, package) for providers in always):
+                continue  # it is needed without the tests, too
             if closes_a_cycle(package.name, name, project.manifests, proposed):
                 continue
             proposed[package.name] = proposed.get(package.name, frozenset()) | {name}

@@ -198,17 +198,17 @@ def first_provider(names: frozenset[str], package: ProjectPackage) -> str:
     """
     project = package.project
     usable = [name for name in names if _is_name(name, project)]
-    families = _families(package)
+    families, there = _families(package), frozenset(name for name in usable if exists(frozenset((name,)), package))
     return min(
         usable,
         key=lambda n: (
-            not exists(frozenset((n,)), package),
+            n not in there,
             not is_to_be_had_today(n, package),
             _is_idle_module(n, package),
             not _is_asked_for(n, package),
             not is_of_ros(n, project),
             _has_its_own(n, names),
-            _is_part(n, names),
+            _is_part(n, there),
             bool(families) and _family(n) not in {"", *families},
             n.endswith(_MODULE),
             n.endswith("-pip"),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Templates of exercises in Python: a block that a comment leaves to students to write, in a file that nothing installs, starts or imports."""
+"""Templates in Python, in files that nothing installs, starts or imports: a block that a comment leaves to students to write, names that a generator fills in."""
 
 from __future__ import annotations
 
@@ -15,6 +15,11 @@ _ASKS = regex(
     r"\byour (?:code|solution|answer|implementation|work)\b|\b(?:add|write|put|insert|enter|fill in|complete) (?:the |some |more )?(?:code|solution|lines?)\b"
     r"|\b(?:todo|exercise|task|student)s?\b.{0,40}\b(?:here|below)\b",
     re.IGNORECASE,
+)
+#: A name that a generator fills in where Python has a name: ``from {package} import {name}``, ``class ${Name}``, ``import @(module)``, ``{% if … %}``.
+_FILLED_IN = regex(
+    r"^[ \t]*(?:(?:from|import|class|def)[ \t]+[\w.]{0,100}(?:\{\{?[ \t]*[\w-]{1,100}[ \t]*\}|\$\{?\w|@\(|<%)|\{%)",
+    re.MULTILINE,
 )
 _IMPORT = regex(r"^[ \t]*(?:from|import)\b[^\n]*", re.MULTILINE)
 #: Lines above the place that are looked at.
@@ -37,6 +42,11 @@ def is_exercise(path: str, line: int, message: str, workspace: Workspace) -> boo
         elif bare:
             return asks and bare.partition("#")[0].rstrip().endswith(":") and not _is_named(path, workspace)
     return False
+
+
+def is_template(path: str, workspace: Workspace) -> bool:
+    """Whether a generator fills in names of the file, which nothing else names."""
+    return _FILLED_IN.search(workspace.text(path)) is not None and not _is_named(path, workspace)
 
 
 def _is_named(path: str, workspace: Workspace) -> bool:

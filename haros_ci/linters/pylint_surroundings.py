@@ -9,7 +9,7 @@ from collections.abc import Iterable
 
 from haros_ci.linters.class_methods import CLASS, method_at
 from haros_ci.linters.decorated import is_call_of_decorated
-from haros_ci.linters.exercises import is_exercise
+from haros_ci.linters.exercises import is_exercise, is_template
 from haros_ci.linters.modules_twice import is_of_another
 from haros_ci.linters.python2 import imports_future, is_of_python2, names_python3
 from haros_ci.linters.star_imports import is_of_unseen
@@ -112,9 +112,8 @@ def _is_refuted_apart(result: Result, line: int, workspace: Workspace) -> bool:
         return _is_of_another_module(result.location.path, line, workspace)
     if result.rule == "syntax-error":
         path = result.location.path
-        return is_exercise(path, line, result.message, workspace) or (
-            _TABS in result.message and _is_python2_around(path, workspace)
-        )
+        is_unwritten = is_exercise(path, line, result.message, workspace) or is_template(path, workspace)
+        return is_unwritten or (_TABS in result.message and _is_python2_around(path, workspace))
     return _is_starred(result, workspace) or is_of_unseen(result.location.path, workspace)
 
 

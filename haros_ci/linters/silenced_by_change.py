@@ -159,6 +159,11 @@ CHANGE: tuple[tuple[tuple[str, ...], str, str], ...] = (
         "tests/linters/test_pylint_surroundings.py::test_exercises",
     ),
     (
+        ("placeholders of a generator (`from {package} import …`, `class ${Name}`), in Python that nothing names",),
+        "syntax-error (pylint) of that file",
+        "tests/linters/test_pylint_surroundings.py::test_templates",
+    ),
+    (
         ("pages, scripts and manifests that name Noetic, Ubuntu 20.04 or Python 3, scripts that ask for `python3`",),
         "syntax-error (pylint) for tabs among blanks, where nothing in a workspace of ROS 1 does",
         "tests/linters/test_pylint_surroundings.py::test_tabs_of_python_2",

@@ -121,3 +121,16 @@ def test_the_package_of_python_is_proposed(module: str, name: str, other: str, t
     (message,) = messages("undeclared-import", files, tmp_path)
     assert f"<exec_depend>{name}</exec_depend>" in message
     assert f"<exec_depend>{other}</exec_depend>" not in message and f"(or {other})" not in message
+
+
+@pytest.mark.parametrize(
+    ("name", "key"),
+    [("Qt6", "qt6-base-dev"), ("Qt5", "qtbase5-dev"), ("Eigen3", "eigen"), ("PCL", "libpcl-all-dev")],
+)
+def test_what_brings_the_whole_is_proposed(name: str, key: str, tmp_path: Path) -> None:
+    files = {
+        "package.xml": MANIFEST.format("<buildtool_depend>ament_cmake</buildtool_depend>", "ament_cmake"),
+        "CMakeLists.txt": f"cmake_minimum_required(VERSION 3.8)\nproject(demo)\nfind_package(ament_cmake REQUIRED)\nfind_package({name} REQUIRED COMPONENTS Core)\nament_package()\n",
+    }
+    (message,) = messages("undeclared-dependency", files, tmp_path)
+    assert f"demo needs {key} to build" in message

@@ -601,6 +601,32 @@ def test_exercises(text: str, more: dict[str, str], message: str, expected: bool
     assert of_tabs(tmp_path, text, "", more, message) is expected
 
 
+@pytest.mark.parametrize(
+    ("text", "more", "expected"),
+    [
+        ("from {package}.msg import {name}\n", {}, True),
+        ("import os\nfrom {package-name} import x\n", {"b.py": "import os\n"}, True),
+        ("class {{ name }}(Node):\n    pass\n", {}, True),
+        ("class ${Name}:\n    pass\n", {}, True),
+        ("import @(module)\n", {}, True),
+        ("{% if x %}\nimport os\n{% endif %}\n", {}, True),
+        ("def test_{name}():\n    pass\n", {}, True),
+        # a file that something names, and what is no placeholder
+        ("from {package}.msg import {name}\n", {"b.py": "import a\n"}, False),
+        ("from {package}.msg import {name}\n", {"CMakeLists.txt": "install(PROGRAMS a.py DESTINATION lib/p)\n"}, False),
+        ("from {package}.msg import {name}\n", {"a.launch.py": "Node(package='p', executable='a.py')\n"}, False),
+        ("def f(:\n    return '{name}'.format(name=1)\n", {}, False),
+        ("x = {name}\ndef f(:\n", {}, False),
+        ("print 'from {x} import'\n", {}, False),
+        ("def f(a={}):\n    return a[\n", {}, False),
+        ("class A(dict):\n    x = {'a': 1\n", {}, False),
+        ("@(module)\ndef f(:\n", {}, False),
+    ],
+)
+def test_templates(text: str, more: dict[str, str], expected: bool, tmp_path: Path) -> None:
+    assert refuted(tmp_path, "syntax-error", {"a.py": text, **more}, "a.py", 1) is expected
+
+
 LEAF = "class Window(Base):\n    def __init__(self, port):\n        super(type(self), self).__init__(port)\n"
 
 

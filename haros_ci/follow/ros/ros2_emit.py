@@ -188,6 +188,9 @@ def _parameter(  # noqa: C901 - one branch for each way to declare a parameter
         data = float(data)
     if entry.unsure:
         unknowns.append(("conditions", entry.unsure, applied.location))
+    is_strict = entry.strict and (
+        entry.kind != "parameters" or declared is not None
+    )  # by its name alone it throws nothing
     raises = bool(walk.turning) and _raises(applied, entry, node, full, value is not None)
     make(
         walk,
@@ -208,7 +211,7 @@ def _parameter(  # noqa: C901 - one branch for each way to declare a parameter
             range=limits,
             written=text,
             is_dynamic=entry.kind == "parameters" and _is_dynamic(applied, entry),
-            is_strict=entry.strict and not (walk.trying or walk.dead or applied.frame.is_dead),
+            is_strict=is_strict and not (walk.trying or walk.dead or applied.frame.is_dead),
         ),
     )
     walk.is_raised = walk.is_raised or raises
@@ -221,9 +224,8 @@ def _parameter(  # noqa: C901 - one branch for each way to declare a parameter
             and entry.kind == "parameters"
             and (word is not None or applied.frame.source.separator == "::")
         ):
-            stored = Opaque(
-                NO_DEFAULT, applied.location
-            )  # without a value from outside the declaration or reading throws
+            # without a value from outside the declaration or reading throws
+            stored = Opaque(NO_DEFAULT, applied.location)
         ros2_parameters.remember(applied, full, stored if stored is not None else NONE)
     return ros2_parameters.while_running(applied, entry, full, value)
 
