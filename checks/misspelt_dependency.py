@@ -33,6 +33,7 @@ from haros_ci.api.packages import (
     normal,
     place,
     repositories_named,
+    stem_of_system,
     word,
 )
 
@@ -138,6 +139,13 @@ def _is_meant(name: str, provider: str, need: Need) -> bool:
         return True
     if name.startswith("Qt") and provider.replace("-", "") == f"lib{name.lower()}":  # Qt5Widgets for libqt5-widgets
         return True
+    stem = stem_of_system(name)
+    if (
+        stem != name
+        and len(stem) > 2
+        and (need.what.lower() == f"find_package({stem})" or provider == f"python3-{stem}")
+    ):
+        return True  # opencv2 for libopencv-dev
     first, _, module = need.what.partition("import ")
     prefix, _, stem = normal(name).partition("-") if name.startswith("python3-") else ("python3", "", normal(name))
     called = distributions_of(module.partition(".")[0]) if module and not first else frozenset()

@@ -29,6 +29,7 @@ from haros_ci.api.packages import (
     repositories_named,
     said_misplaced,
     said_never,
+    stem_of_system,
     undeclared_build_tools,
 )
 
@@ -86,10 +87,13 @@ def check(project: Project) -> Iterator[Finding]:
 
 def _is_reported_elsewhere(package: ProjectPackage, providers: frozenset[str]) -> bool:
     """Whether another check has it declared: foreign-dependency for one of the other ROS, incomplete-interface-package for a generator, misspelt-dependency
-    for a name with other separators (``pose-cov-ops``)."""
+    for a name with other separators (``pose-cov-ops``) or a version (``opencv2``)."""
     plain = {name.replace("-", "_").lower() for name in providers}
-    if any(name.replace("-", "_").lower() in plain and is_nowhere(name, package.project) for name in package.declared):
-        return True
+    for name in package.declared:
+        stem = stem_of_system(name)
+        written = {name.replace("-", "_").lower(), stem, f"lib{stem}_dev", f"python3_{stem}"}
+        if not written.isdisjoint(plain) and is_nowhere(name, package.project):
+            return True
     instead = (
         {COUNTERPARTS[package.ros].get(name) for name in package.declared} if package.ros in COUNTERPARTS else set()
     )

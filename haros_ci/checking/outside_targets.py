@@ -16,7 +16,7 @@ _FETCHING = (
     *("corrosion_import_crate", "externalproject_add_subdirectory"),
 )
 #: Packages that CMake finds by itself (cmake-modules(7)): their targets have a namespace.
-_OF_CMAKE = frozenset(
+OF_CMAKE = frozenset(
     """
     alsa armadillo backtrace blas boost bullet bzip2 cuda cudatoolkit curl curses doxygen expat flex freetype git gif glew glut gsl gtest
     gtk2 hdf5 jpeg lapack libusb libxml2 lua matlab mpi openal opencv opengl openmp openssl patch perl pkgconfig png protobuf python python2
@@ -76,6 +76,6 @@ def _unknown(package: ProjectPackage) -> Iterator[str]:
     for command in package.commands("find_package"):
         for name in command.arguments[:1]:
             knowledge = project.knowledge
-            is_known = name.lower() in _OF_CMAKE or project.package(name) is not None or knowledge.is_package(name)
+            is_known = name.lower() in OF_CMAKE or project.package(name) is not None or knowledge.is_package(name)
             if not is_known and not knowledge.provider_of_cmake(name):
                 yield name

@@ -7,7 +7,9 @@ from collections.abc import Collection
 from functools import cache
 
 from haros_ci.checking.likeness import is_letter_slip, is_slip
+from haros_ci.checking.outside_targets import OF_CMAKE
 from haros_ci.knowledge.knowledge import knowledge
+from haros_ci.regex import regex
 
 #: How many packages of a workspace begin alike where that is their prefix.
 _COMMON = 4
@@ -17,6 +19,20 @@ _OF_ALL = tuple(
     """amcl controller_manager gazebo_ros gmapping joint_state_publisher joy map_server move_base nodelet rclcpp rclpy robot_state_publisher
     ros_gz_sim rosbag roscpp rospy rqt_graph rviz rviz2 slam_toolbox std_msgs tf2_ros urdf xacro""".split()
 )
+
+#: Names that a package can have (REP 144, with the capitals of older ones), and a version behind a name.
+_PACKAGE = regex(r"[A-Za-z]\w*")
+_VERSION = regex(r"(?:[\s._-]{1,8}v?)?\d[\d.\s]{0,20}$")
+
+
+def stem_of_system(name: str) -> str:
+    """The name of a library without a version, in small letters: ``opencv`` for ``opencv2`` and ``OpenCV 3.4.12``."""
+    return _VERSION.sub("", name[:100]).lower()
+
+
+def is_of_system(name: str) -> bool:
+    """Whether a name that nobody knows is no name of a package, or that of a library that CMake finds by itself, with a version or other letters."""
+    return _PACKAGE.fullmatch(name) is None or stem_of_system(name) in OF_CMAKE
 
 
 def meant_here(name: str, names: Collection[str], declared: Collection[str] = ()) -> str | None:

@@ -10,6 +10,7 @@ from typing import TypeVar, cast
 
 from haros_ci.checking.entries import paths_by_name
 from haros_ci.checking.manifests import counted
+from haros_ci.checking.package_names import is_of_system
 from haros_ci.checking.project import Project, ProjectPackage
 from haros_ci.model.location import Location
 from haros_ci.model.package import Package
@@ -25,8 +26,6 @@ OF_PYTHON = frozenset(sys.stdlib_module_names) - frozenset(
 _PYTHON = regex(r"(?:python3?|python2)-(.+?)(?:-pip)?$")
 #: What is not there because another package needs it.
 _OWN_ONLY = ("test_depend", "doc_depend")
-
-
 #: What packages of messages are named, and what comes with each at least.
 _SHOWN = 3
 #: Packages that are looked at for what others bring, in all; a thousand packages that need each other have a million.
@@ -100,7 +99,7 @@ class Provisions:
         if brought is None and name.endswith(_INTERFACES):
             says = _OF_MESSAGES
             brought = self.brought("std_msgs", ros)
-        if brought is None and "-" in name:  # no package's name has one (REP 144), keys have
+        if brought is None and ("-" in name or is_of_system(name)):  # no package's name has one (REP 144), keys have
             says |= 0 if name.startswith("python") else _OF_A_SYSTEM
         elif brought is None:
             says |= 0 if name in OF_PYTHON else _OPEN  # what Python has brings nothing

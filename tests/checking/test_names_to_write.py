@@ -134,3 +134,25 @@ def test_what_brings_the_whole_is_proposed(name: str, key: str, tmp_path: Path) 
     }
     (message,) = messages("undeclared-dependency", files, tmp_path)
     assert f"demo needs {key} to build" in message
+
+
+@pytest.mark.parametrize(
+    ("name", "is_open"),
+    [
+        ("opencv4", False),
+        ("OpenCV 3.4.12", False),
+        ("Boost", False),
+        ("our.tools", False),
+        ("our_tools", True),
+        ("our_tools2", True),
+    ],
+)
+def test_a_name_that_is_no_package_brings_none(name: str, is_open: bool, tmp_path: Path) -> None:
+    """A package that nobody knows may bring std_msgs; a library of the system under a wrong name does not."""
+    files = {
+        "package.xml": MANIFEST.format(
+            f"<buildtool_depend>ament_cmake</buildtool_depend><depend>{name}</depend>", "ament_cmake"
+        ),
+        "CMakeLists.txt": "cmake_minimum_required(VERSION 3.8)\nproject(demo)\nfind_package(ament_cmake REQUIRED)\nfind_package(std_msgs REQUIRED)\nament_package()\n",
+    }
+    assert bool(messages("undeclared-dependency", files, tmp_path)) is not is_open
