@@ -45,6 +45,8 @@ def is_idle(
         return False
     if not walk.quiet:
         walk.gaps.setdefault(NO_MORE, Location(inner.source.path, definition.line))
+        if not walk.ruled_out():
+            walk.cut[id(definition)] = inner.source, definition
     return True
 
 

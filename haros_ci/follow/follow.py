@@ -17,6 +17,7 @@ from haros_ci.follow import (
     commands,
     construct,
     counters,
+    cut_short,
     disturbances,
     inert,
     initialised,
@@ -80,6 +81,7 @@ def follow(walk: Walk, entry: Entry) -> bool:
     try:
         _start(walk, frame, entry)
         _call_back(walk, frame)
+        cut_short.reopen(walk)
     except OutOfSteps:
         return False
     finally:

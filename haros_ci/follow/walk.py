@@ -92,6 +92,8 @@ class Walk:
     is_program: bool = True
     #: Whether a function is called that is not known: it may be any of those.
     calls_unknown: bool = False
+    #: Functions that are not followed any more though they are called as things are, in the beginning of the node (``follow.cut_short``).
+    cut: dict[int, tuple[Source, Function]] = field(default_factory=dict)
     #: The numbers of those that have been called back, not in rehearsal.
     called: set[int] = field(default_factory=set)
     #: The places where every plug-in of a base class has been loaded, or a behaviour tree created, with which objects.

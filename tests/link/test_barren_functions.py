@@ -81,3 +81,28 @@ def test_what_callbacks_call_is_counted_by_itself() -> None:
     made, is_said = node(cpp_files(main(f'{SAME}nh.subscribe("s", 1, cb);', before)))
     assert "/b" in made
     assert is_said
+
+
+#: A helper that makes something, called where a condition does not hold, and by what goes on making nothing.
+HELPER = "def helper():\n    rospy.Publisher('late', String)\ndef step(n):\n    a = 1\n    a = a + 1\n    if n == 100:\n        helper()\ndef other(n):\n    a = 1\n    a = a + 1\n"
+DEAD = "flag = False\nif flag:\n    helper()\n"
+
+
+@pytest.mark.usefixtures("short")
+@pytest.mark.parametrize(
+    ("calls", "expected"),
+    [
+        ("step(1)\n" * 12 + "step(100)\n", False),  # step is not followed any more
+        ("step(1)\n" * 12, False),  # which of its calls it is cannot be known then
+        ("step(1)\n", True),
+        ("other(1)\n" * 12, True),  # it calls no helper
+        ("if flag:\n" + "    step(1)\n" * 12, True),  # nor does what is ruled out itself
+    ],
+)
+def test_what_it_calls_is_not_ruled_out(calls: str, expected: bool) -> None:
+    text = SCRIPT.replace("rospy.init_node", f"{HELPER}rospy.init_node")
+    found = follow(python_files(text + DEAD + calls))
+    (one,) = (node for configuration in found.configurations for node in configuration.nodes)
+    (late,) = (end for end in one.endpoints if end.name == "/late")
+    assert late.is_ruled_out is expected
+    assert expected or "conditions" in {unknown.field for unknown in late.unknowns}
