@@ -70,7 +70,10 @@ class _Types:
         if one.type is None or other.type is None or one.implicit or other.implicit:
             return False
         types, others = self._of(one), self._of(other)
-        return None not in types | others and not types & others
+        if None in types | others or types & others:
+            return False
+        sums = self._system.whole.sums if one.node.ros == 1 == other.node.ros else None
+        return sums is None or not any(sums.are_one(str(first), str(second)) for first in types for second in others)
 
     def _of(self, end: End) -> frozenset[str | None]:
         """Its type, and those of the ends that the same node has instead: under other conditions that may hold, or in other releases."""

@@ -8,6 +8,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING
 
+from haros_ci.interfaces.sums import SumsOfMessages
 from haros_ci.model.launch_facts import ArgumentDeclaration, ConstructUse, IncludeUse, ParameterFileUse
 from haros_ci.model.location import Location
 from haros_ci.regex import regex
@@ -71,6 +72,12 @@ class Whole:
     def taken(self) -> frozenset[tuple[Location, str]]:
         """The places and keys that give something which some node has, or may have."""
         return frozenset(place for system in self.systems for place in system.taken)
+
+    @cached_property
+    def sums(self) -> SumsOfMessages:
+        """The MD5 sums of messages of ROS 1."""
+        first = self.systems[0] if self.systems else None
+        return SumsOfMessages(first.workspace, first.packages) if first is not None else SumsOfMessages(None, {})
 
     @cached_property
     def dependencies(self) -> frozenset[str]:
