@@ -26,6 +26,8 @@ MOST = 200
 #: Said of the place of a definition, whether or not anything calls it.
 _OF_DEFINITIONS = frozenset(("function-redefined", "class-variable-slots-conflict"))
 _OF_ARGUMENTS = frozenset(("no-method-argument", "no-self-argument"))
+#: What a file does that is more than a list of constants.
+_ACTS = (ast.While, ast.For, ast.If, ast.With, ast.Call)
 _MAIN = regex(r"^if[ \t(]+__name__[ \t]*==[ \t]*['\"]__main__['\"]", re.MULTILINE)
 _PYTHON_3 = regex(r"#![^\n]{0,200}\bpython3")
 _QUOTED = regex(r"['\"`](\w+)['\"`]")
@@ -120,10 +122,11 @@ class _Idle:
 
 
 def _is_fragment(tree: Sequence[ast.AST], name: str) -> bool:
-    """Whether a file has nothing that makes names but assignments, and calls no function of that *name*: lines to be typed into the shell of some tool."""
+    """Whether a file is lines to be typed into the shell of some tool: they do something, make no names but by assignments, and call no function of that *name*."""
     calls = (node.func for node in tree if isinstance(node, ast.Call))
     is_called = any(isinstance(one, ast.Name) and one.id == name for one in calls)
-    return bool(tree) and not is_called and not any(isinstance(node, _MAKES) for node in tree)
+    acts = any(isinstance(node, _ACTS) for node in tree)
+    return acts and not is_called and not any(isinstance(node, _MAKES) for node in tree)
 
 
 def _part(tree: Sequence[ast.AST], line: int) -> str:

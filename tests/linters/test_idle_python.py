@@ -95,6 +95,7 @@ def test_nothing_runs_it(tmp_path: Path, text: str, more: dict[str, str], rule: 
         (SHELL, {"README.md": "Run `python heron/leg.py`.\n"}, "undefined-variable"),
         (SHELL, {"launch/a.launch.py": "cmd = ['leg.py']\n"}, "undefined-variable"),
         (SHELL, {}, "not-callable"),
+        ('"""Limits."""\nREACH = ARM_REACH  # HERE\n', {}, "undefined-variable"),  # a module of constants
         ("import motor_tools\n" + SHELL, {}, "undefined-variable"),
         (SHELL + "motor(1)\n", {}, "undefined-variable"),
         (OLD, {}, "undefined-variable"),  # in a package
