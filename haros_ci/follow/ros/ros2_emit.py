@@ -188,9 +188,7 @@ def _parameter(  # noqa: C901 - one branch for each way to declare a parameter
         data = float(data)
     if entry.unsure:
         unknowns.append(("conditions", entry.unsure, applied.location))
-    is_strict = entry.strict and (
-        entry.kind != "parameters" or declared is not None
-    )  # by its name alone it throws nothing
+    is_strict = entry.strict and (entry.kind != "parameters" or declared is not None)  # a name alone throws nothing
     raises = bool(walk.turning) and _raises(applied, entry, node, full, value is not None)
     make(
         walk,
