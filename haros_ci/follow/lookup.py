@@ -20,7 +20,7 @@ from haros_ci.follow import (
 from haros_ci.follow.frames import NEXT, Frame, looked_up_from
 from haros_ci.follow.libraries import cpp as library_cpp
 from haros_ci.follow.libraries import numbers as library_numbers
-from haros_ci.follow.libraries import optionals, own_files, python_modules, python_numbers
+from haros_ci.follow.libraries import optionals, own_files, python_modules
 from haros_ci.follow.ros import qos
 from haros_ci.follow.walk import Walk
 from haros_ci.index.common_messages import NAMES
@@ -220,6 +220,18 @@ def python_name(walk: Walk, frame: Frame, name: str) -> Value:
         functions = [f for f in own if f[0].path == frame.source.path] or functions
     if functions:
         return overloads.either([Callable(*item) for item in overloads.last(functions)])
+    place = (frame.source.path, name, len(walk.modules))
+    if walk.is_called_back and place in walk.outside:
+        library: Value = walk.outside[place]
+        return library
+    value = _from_elsewhere(walk, frame, name)
+    if isinstance(value, Library) and value.this is None and walk.is_called_back and len(walk.modules) == place[2]:
+        walk.outside[place] = value  # Python has it from where the file is loaded
+    return value
+
+
+def _from_elsewhere(walk: Walk, frame: Frame, name: str) -> Value:
+    """What a name of Python means that the file itself does not define."""
     key = ("tried", name)
     is_first = key not in walk.found
     tried: dict[str, int] = walk.found.setdefault(key, {})
@@ -256,8 +268,9 @@ def _imported_name(walk: Walk, frame: Frame, name: str) -> Value | None:
         return value
     for alias in reversed(frame.source.program.aliases):
         if alias.name == "*":
-            target = f"{alias.type.name.removesuffix('.*')}.{name}"
-            value = imported(walk, frame, target)
+            module = alias.type.name.removesuffix(".*")
+            target, is_outside = f"{module}.{name}", python_modules.is_outside(walk, frame.source, module)
+            value = python_modules.of_library(target) if is_outside else imported(walk, frame, target)
             is_named = isinstance(value, Library) and value.name in (
                 name,
                 python_modules.absolute(frame.source, target),
@@ -287,13 +300,7 @@ def imported(walk: Walk, frame: Frame, target: str) -> Value:
             break
         rest.append(last)
     beside = python_modules.beside(walk, frame.source, target)
-    return imported(walk, frame, beside) if beside is not None else library_name(python_modules.passed_on(target))
-
-
-def library_name(name: str) -> Value:
-    """A dotted name of a Python library: a number that it stands for, or the name."""
-    number = python_numbers.CONSTANTS.get(name)
-    return Library(name) if number is None else Known(number)
+    return imported(walk, frame, beside) if beside is not None else python_modules.of_library(target)
 
 
 def _inside(walk: Walk, frame: Frame, source: Source, rest: Sequence[str]) -> Value:
@@ -318,12 +325,6 @@ def is_generated(walk: Walk, source: Source, name: str) -> bool:
     return name not in module_frame(walk, source).scopes[0]
 
 
-def _rebound(source: Source) -> set[str]:
-    """The variables of a Python module that its functions assign to (``global``)."""
-    statements = (statement for function in source.program.functions for statement in function.body or ())
-    return {name for statement in statements if type(statement) is syntax.Global for name in statement.names}
-
-
 def module_frame(walk: Walk, source: Source) -> Frame:
     """A Python module's own scope; its body is followed once, when the module is first used."""
     frame = walk.modules.get(source.path)
@@ -342,7 +343,7 @@ def module_frame(walk: Walk, source: Source) -> Frame:
                     break
         registering.note(walk, frame, source)
         walk.state.settle(mark, begun)  # the next branch finds the module loaded
-        for name in _rebound(source):
+        for name in python_modules.rebound(source):
             if name in frame.scopes[0]:
                 walk.own["first", source.path, name] = frame.scopes[0][name].value
     return frame

@@ -185,7 +185,7 @@ def attribute(walk: Walk, value: Value, name: str, frame: Frame) -> Value:  # no
         if value.name == "sys" and name == "argv":
             return library_python.argv(walk, frame)
         if frame.source.program.language == "python":
-            return lookup.library_name(python_modules.passed_on(f"{value.name}.{name}"))
+            return python_modules.of_library(f"{value.name}.{name}")
         return Library(f"{value.name}::{name}")
     if isinstance(value, Object):
         cell = member(walk, value, name, frame)

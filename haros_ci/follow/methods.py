@@ -135,6 +135,10 @@ def library_bases(
     if key in walk.found:
         known: list[str] = walk.found[key]
         return known
+    place = (id(definition), len(walk.modules))
+    if walk.is_called_back and place in walk.outside:
+        known = walk.outside[place]
+        return known
     found: list[str] = []
     if source.separator == "::" and depth == 0:
         walk.found[key] = found
@@ -154,6 +158,8 @@ def library_bases(
             elif owner[1] is not definition:
                 bound = dict(zip(owner[1].templates, base.arguments, strict=False)) if owner[1].templates else NOTHING
                 found += library_bases(walk, owner[0], owner[1], depth + 1, bound)
+    if source.separator == "." and depth == 0 and walk.is_called_back and len(walk.modules) == place[1]:
+        walk.outside[place] = found
     return found
 
 

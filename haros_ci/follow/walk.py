@@ -88,14 +88,14 @@ class Walk:
     #: Functions that were made, each as it would be called back, and by identity those whose bodies have been followed (``follow.uncalled``).
     held: dict[tuple[int, Object | None], Root] = field(default_factory=dict)
     invoked: set[int] = field(default_factory=set)
-    #: Whether a program is followed, and no class that others make.
-    is_program: bool = True
+    is_program: bool = True  #: whether a program is followed, and no class that others make
     #: Whether a function is called that is not known: it may be any of those.
     calls_unknown: bool = False
     #: Functions that are not followed any more though they are called as things are, in the beginning of the node (``follow.cut_short``).
     cut: dict[int, tuple[Source, Function]] = field(default_factory=dict)
-    #: The numbers of those that have been called back, not in rehearsal.
-    called: set[int] = field(default_factory=set)
+    called: set[int] = field(default_factory=set)  #: numbers of roots that have been called back, not in rehearsal
+    #: What callbacks find outside of the workspace: base classes by class, libraries by file and name, with the number of modules then.
+    outside: dict[tuple[str | int, ...], Any] = field(default_factory=dict)
     #: The places where every plug-in of a base class has been loaded, or a behaviour tree created, with which objects.
     offered: set[Key] = field(default_factory=set)
     #: The base classes of which the program has asked for the look-up names of all plug-ins.

@@ -7,13 +7,15 @@ import posixpath
 import sys
 from collections.abc import Iterable
 
+from haros_ci import syntax
 from haros_ci.follow import lookup
 from haros_ci.follow.frames import Frame
+from haros_ci.follow.libraries import python_numbers
 from haros_ci.follow.walk import Walk
 from haros_ci.index.common_messages import COMMON, OPENED
 from haros_ci.index.index import Source
 from haros_ci.syntax import Type
-from haros_ci.values.abstract import Library, Module, Value
+from haros_ci.values.abstract import Known, Library, Module, Value
 
 #: Modules of a ROS package that are generated: a script of the package's own name is not meant by what is imported of them.
 _GENERATED = frozenset(("msg", "srv", "action", "cfg"))
@@ -124,6 +126,28 @@ def beside(walk: Walk, source: Source, target: str) -> str | None:
     return None if head in _libraries(walk) else f"{package}.{target}"
 
 
+def is_outside(walk: Walk, source: Source, module: str) -> bool:
+    """Whether nothing in the workspace is, or is below, what *source* imports as *module*: whatever it has is a library's (``lookup.imported``)."""
+    script = "" if not walk.modules else next(iter(walk.modules.values())).source.path
+    key = ("outside", script, source.path, module)
+    if key not in walk.found:
+        walk.found[key] = _is_outside(walk, source, module, posixpath.dirname(script or source.path))
+    found: bool = walk.found[key]
+    return found
+
+
+def _is_outside(walk: Walk, source: Source, module: str, directory: str) -> bool:
+    head = module.partition(".")[0]
+    if not head or beside(walk, source, module) is not None:
+        return False
+    place = f"{directory}/{head}" if directory else head
+    return not any(
+        name == start or name.startswith(f"{start}{separator}")
+        for start, separator, names in ((head, ".", walk.index.modules), (place, "/", walk.index.by_place))
+        for name in names
+    )
+
+
 def is_library(walk: Walk, head: str) -> bool:
     """Whether a module is one of Python itself, or of a library that the API rows have."""
     return head in _libraries(walk)
@@ -185,3 +209,16 @@ def _of_action(walk: Walk, package: str, name: str) -> bool:
         base = name.removesuffix(suffix)
         action = base if base != name and base else action
     return action != name and f"{package}/{action}" in walk.index.interfaces
+
+
+def of_library(target: str) -> Value:
+    """What a dotted name of a Python library means: a number that it stands for, or the name."""
+    name = passed_on(target)
+    number = python_numbers.CONSTANTS.get(name)
+    return Library(name) if number is None else Known(number)
+
+
+def rebound(source: Source) -> set[str]:
+    """The variables of a Python module that its functions assign to (``global``)."""
+    statements = (statement for function in source.program.functions for statement in function.body or ())
+    return {name for statement in statements if type(statement) is syntax.Global for name in statement.names}
