@@ -221,12 +221,11 @@ def python_name(walk: Walk, frame: Frame, name: str) -> Value:
     if functions:
         return overloads.either([Callable(*item) for item in overloads.last(functions)])
     place = (frame.source.path, name, len(walk.modules))
-    if walk.is_called_back and place in walk.outside:
-        library: Value = walk.outside[place]
-        return library
+    if walk.is_called_back and place in walk.outside_names:
+        return walk.outside_names[place]
     value = _from_elsewhere(walk, frame, name)
     if isinstance(value, Library) and value.this is None and walk.is_called_back and len(walk.modules) == place[2]:
-        walk.outside[place] = value  # Python has it from where the file is loaded
+        walk.outside_names[place] = value  # Python has it from where the file is loaded
     return value
 
 

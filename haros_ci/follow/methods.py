@@ -136,9 +136,8 @@ def library_bases(
         known: list[str] = walk.found[key]
         return known
     place = (id(definition), len(walk.modules))
-    if walk.is_called_back and place in walk.outside:
-        known = walk.outside[place]
-        return known
+    if walk.is_called_back and place in walk.outside_bases:
+        return walk.outside_bases[place]
     found: list[str] = []
     if source.separator == "::" and depth == 0:
         walk.found[key] = found
@@ -159,7 +158,7 @@ def library_bases(
                 bound = dict(zip(owner[1].templates, base.arguments, strict=False)) if owner[1].templates else NOTHING
                 found += library_bases(walk, owner[0], owner[1], depth + 1, bound)
     if source.separator == "." and depth == 0 and walk.is_called_back and len(walk.modules) == place[1]:
-        walk.outside[place] = found
+        walk.outside_bases[place] = found
     return found
 
 

@@ -89,13 +89,13 @@ class Walk:
     held: dict[tuple[int, Object | None], Root] = field(default_factory=dict)
     invoked: set[int] = field(default_factory=set)
     is_program: bool = True  #: whether a program is followed, and no class that others make
-    #: Whether a function is called that is not known: it may be any of those.
-    calls_unknown: bool = False
+    calls_unknown: bool = False  #: whether a function is called that is not known: it may be any of those
     #: Functions that are not followed any more though they are called as things are, in the beginning of the node (``follow.cut_short``).
     cut: dict[int, tuple[Source, Function]] = field(default_factory=dict)
-    called: set[int] = field(default_factory=set)  #: numbers of roots that have been called back, not in rehearsal
-    #: What callbacks find outside of the workspace: base classes by class, libraries by file and name, with the number of modules then.
-    outside: dict[tuple[str | int, ...], Any] = field(default_factory=dict)
+    called: set[int] = field(default_factory=set)  #: numbers of roots called back, not in rehearsal
+    #: What callbacks find outside of the workspace, with the number of modules then: base classes by class, libraries by file and name.
+    outside_bases: dict[tuple[int, int], list[str]] = field(default_factory=dict)
+    outside_names: dict[tuple[str, str, int], Value] = field(default_factory=dict)
     #: The places where every plug-in of a base class has been loaded, or a behaviour tree created, with which objects.
     offered: set[Key] = field(default_factory=set)
     #: The base classes of which the program has asked for the look-up names of all plug-ins.
