@@ -69,15 +69,17 @@ def global_cell(walk: Walk, source: Source, name: str, init: syntax.Init | None,
         if init is not None:
             cell.value = construct.initial(walk, frame, resolved, init, Location(source.path))
         elif not init:
-            for where, variable in walk.index.variables.get(name, ()):  # a static member's definition elsewhere
+            # Its definition: in the file itself, or that of a static member elsewhere in the program.
+            definitions = walk.index.near(walk.index.variables, name, source, walk.files)
+            for where, variable in definitions:
                 if variable.init is not None:
                     there = Frame(where, frame.scope)
                     cell.value = construct.initial(walk, there, resolved, variable.init, Location(where.path))
                     break
             else:
-                if name in walk.index.variables and _is_container(resolved):  # it begins without an element
+                if definitions and _is_container(resolved):  # it begins without an element
                     cell.value = construct.initial(walk, frame, resolved, None, Location(source.path))
-                elif name in walk.index.variables and _does_something(walk, source, resolved):
+                elif definitions and _does_something(walk, source, resolved):
                     construct.initial(walk, frame, resolved, None, Location(source.path))
         walk.state.settle(mark, begun)
         walk.lasting.add(cell)

@@ -7,7 +7,7 @@ import re
 
 import pytest
 
-from tests.link.follow_kit import cpp_files, ends, explicit, follow, names, node, ros2_main, types
+from tests.link.follow_kit import cpp_files, ends, explicit, follow, main, names, node, ros2_main, types
 
 HEAD = "#include <ros/ros.h>\n#include <std_msgs/String.h>\n"
 PLAIN = """
@@ -91,3 +91,45 @@ def test_what_stands_in_brackets_is_looked_up_where_it_is_written() -> None:
     )  # fmt: skip
     plain, written = (names(node(follow(cpp_files(HEAD + one)))) for one in (text.replace(" ::std", " std"), text))
     assert written == plain == ["/t"]
+
+
+OTHER = (
+    HEAD
+    + 'std::string name = "other";\nstd::string Names::name = "other";\nros::NodeHandle * handle = new ros::NodeHandle("other");\n'
+)
+NAMES = "struct Names { static std::string name; };\n"
+
+
+@pytest.mark.parametrize("other", ["a.cpp", "main (copy).cpp", "z.cpp"])
+@pytest.mark.parametrize(
+    ("before", "body", "name"),
+    [
+        ("std::string name;\n", 'name = "own"; nh.advertise<std_msgs::String>(name, 1);', "/own"),
+        ("static std::string name;\n", 'nh.advertise<std_msgs::String>(name + "own", 1);', "/?own"),
+        ('std::string name = "own";\n', "nh.advertise<std_msgs::String>(name, 1);", "/own"),
+        (NAMES + 'std::string Names::name = "own";\n', "nh.advertise<std_msgs::String>(Names::name, 1);", "/own"),
+        (NAMES + "std::string Names::name;\n", 'nh.advertise<std_msgs::String>(Names::name + "own", 1);', "/?own"),
+        ("ros::NodeHandle * handle;\n", 'handle = &nh; handle->advertise<std_msgs::String>("own", 1);', "/own"),
+    ],
+)
+def test_a_variable_of_the_file_does_not_begin_as_one_of_another_program(
+    other: str, before: str, body: str, name: str
+) -> None:
+    found = node(follow(cpp_files(main(body, before)) | {f"p/src/{other}": OTHER}))
+    assert names(found) == [name]
+
+
+@pytest.mark.parametrize(
+    ("before", "others", "name"),
+    [
+        (NAMES, {"lib__cpp": 'std::string Names::name = "lib";\n'}, "/lib"),
+        ('#include "h.h"\n', {"h__h": NAMES, "lib__cpp": '#include "h.h"\nstd::string Names::name = "lib";\n'}, "/lib"),
+        ('#include "h.h"\n', {"h__h": NAMES + 'std::string Names::name = "h";\n'}, "/h"),
+    ],
+)
+def test_a_static_member_begins_as_its_definition_in_the_program(
+    before: str, others: dict[str, str], name: str
+) -> None:
+    body = "nh.advertise<std_msgs::String>(Names::name, 1);"
+    found = node(follow(cpp_files(main(body, before), **others) | {"p/src/a.cpp": OTHER}))
+    assert names(found) == [name]
