@@ -18,6 +18,7 @@ from haros_ci.api.packages import (
     closes_a_cycle,
     counted,
     dependency_tags,
+    downloads,
     first_provider,
     has_environment,
     idle_commands,
@@ -168,7 +169,7 @@ def _finding(
             for use in item[:_SHOWN]
         ),
         apart=(name,),
-        level=Level.NOTE if _is_built_from_source(package.project, providers) else None,
+        level=Level.NOTE if _is_built_from_source(package, providers, provisions) else None,
         fixes=() if None in fixes else (Fix(f"declare {listed([name, *own])}", edits),),
     )
 
@@ -209,13 +210,18 @@ def _removal(commands: Sequence[str]) -> str:
     return f"nothing else here uses it: remove it from {listed([f'{command}()' for command in commands])}, or "
 
 
-def _is_built_from_source(project: Project, providers: frozenset[str]) -> bool:
-    """Whether a page, a script or a workflow of the workspace fetches the sources of a library of the system: rosdep would bring another one.
+def _is_built_from_source(package: ProjectPackage, providers: frozenset[str], provisions: Provisions) -> bool:
+    """Whether a library of the system may come from sources that are fetched: rosdep would bring another one.
 
-    A package of ROS is to be declared all the same: build tools go by it.
+    A page, a script or a workflow of the workspace fetches them, or the build of a package that *package* depends on downloads a project,
+    which may have the library among its own. A package of ROS is to be declared all the same: build tools go by it.
     """
+    project = package.project
     if any(is_of_ros(name, project) for name in providers):
         return False
+    brought = map(project.package, provisions.of(package, tests=False).names - {package.name})
+    if any(one is not None and downloads(one) for one in brought):
+        return True
     fetched = {name.lower() for name in repositories_named(project.workspace)}
     stems = {_AFFIXES.sub("", name.lower()) for name in providers}
     return any(stem in fetched or f"lib{stem}" in fetched for stem in stems)

@@ -75,7 +75,7 @@ from haros_ci.checking.manifests import (
 )
 from haros_ci.checking.meant_plugins import described_classes, is_seen_through, library_of, meant_classes
 from haros_ci.checking.needs import Need, lacking, needs_of
-from haros_ci.checking.outside_targets import may_be_added, may_have_more
+from haros_ci.checking.outside_targets import downloads, may_be_added, may_have_more
 from haros_ci.checking.package_names import meant_here, meant_released, stem_of_system
 from haros_ci.checking.pages import is_for_noetic, is_for_older
 from haros_ci.checking.plugin_readers import is_of_node, may_load
@@ -232,6 +232,7 @@ __all__ = [
     "described_classes",
     "describes_installed",
     "distributions_of",
+    "downloads",
     "drop_element",
     "drop_lines",
     "entries_of",

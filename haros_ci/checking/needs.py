@@ -9,7 +9,7 @@ from functools import lru_cache
 
 from haros_ci.checking.boost import HEADERS, brings_boost
 from haros_ci.checking.includes import reached
-from haros_ci.checking.outside_targets import builds_absent
+from haros_ci.checking.outside_targets import builds_absent, downloads
 from haros_ci.checking.project import ProjectPackage
 from haros_ci.checking.provision import Provisions, Sources, exists, first_provider, is_of_ros
 from haros_ci.knowledge.knowledge import Knowledge
@@ -18,15 +18,6 @@ from haros_ci.model.location import Location
 from haros_ci.records import dataclass
 from haros_ci.regex import regex
 
-#: Commands that bring files from elsewhere into a build, which a reader of the sources does not see.
-_FETCHING = (
-    "fetchcontent_declare",
-    "externalproject_add",
-    "cpmaddpackage",
-    "ament_vendor",
-    "catkin_simple",
-    "hunter_add_package",
-)
 #: Commands that write files which may be headers.
 _WRITING = (
     "configure_file",
@@ -74,7 +65,7 @@ def needs_of(package: ProjectPackage, sources: Sources, *, tests: bool = False) 
 
 
 def _needs(package: ProjectPackage, sources: Sources, tests: bool) -> Iterator[Need]:
-    if package.raw.is_metapackage or package.raw.build_type == "ament_python" or package.commands(*_FETCHING):
+    if package.raw.is_metapackage or package.raw.build_type == "ament_python" or downloads(package):
         return
     yield from _found(package, sources, tests)
     yield from _included(package, sources, tests)

@@ -15,6 +15,11 @@ _FETCHING = (
     *("fetchcontent_makeavailable", "fetchcontent_populate", "cpmaddpackage", "cpmfindpackage", "cpmgetpackage"),
     *("corrosion_import_crate", "externalproject_add_subdirectory"),
 )
+#: Commands that bring files from elsewhere into a build, which a reader of the sources does not see.
+_DOWNLOADING = (
+    *("fetchcontent_declare", "externalproject_add", "cpmaddpackage", "ament_vendor", "catkin_simple"),
+    "hunter_add_package",
+)
 #: Packages that CMake finds by itself (cmake-modules(7)): their targets have a namespace.
 OF_CMAKE = frozenset(
     """
@@ -29,6 +34,11 @@ _SUBDIRECTORY = regex(r"(?mi)^[ \t]*add_subdirectory[ \t]*\([ \t\n]*\"?([^\s\")]
 def may_have_more(package: ProjectPackage) -> bool:
     """Whether a fetched project, a directory that is not here, or a package that nobody knows may bring targets to *package*."""
     return any(package.commands(*_FETCHING)) or any(_lost(package)) or any(_unknown(package))
+
+
+def downloads(package: ProjectPackage) -> bool:
+    """Whether a build of *package* downloads another project: that may bring any header or library, to whoever depends on *package*, too."""
+    return any(package.commands(*_DOWNLOADING))
 
 
 def may_be_added(package: ProjectPackage, library: str) -> bool:
