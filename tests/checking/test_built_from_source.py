@@ -104,4 +104,4 @@ def _beside(code: str, depend: str, vendor: str, between: str = "") -> dict[str,
 def test_a_package_that_downloads_may_bring_a_library(files: dict[str, str], expected: Level, tmp_path: Path) -> None:
     check = next(check for check in checks() if check.id == "undeclared-dependency")
     results = said(check, Example("", True, files), tmp_path)
-    assert [one.level for one in results if one.path == "demo/package.xml"] == [expected]
+    assert [one.level for one in results if one.location.path == "demo/package.xml"] == [expected]
