@@ -49,7 +49,7 @@ def attempt(walk: Walk, frame: Frame, statement: syntax.Try) -> str:
             frame.declare(handler.name, Cell(walk.opaque("an exception", frame, handler.line, kind)))
         returned = len(frame.returned)
         with walk.under("catch", handler.text, Location(frame.source.path, handler.line, handler.column)):
-            how = statements.execute(walk, frame, handler.body)
+            how = statements.follow_branch(walk, frame, handler.body, True)
         frame.scopes.pop()
         if (
             how == RETURN

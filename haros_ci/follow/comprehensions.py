@@ -91,30 +91,37 @@ def _call(walk: Walk, frame: Frame, function: Callable, item: Value) -> Value:
 
 
 def applied(walk: Walk, frame: Frame, name: str, args: tuple[PassedArgument, ...]) -> Value:
-    """``map(f, xs)`` and ``filter(f, xs)``."""
+    """``map(f, xs)`` and ``filter(f, xs)``, as if all that they give were asked for."""
     unknown = Sequence(Cell(walk.opaque(f"a list made by {name}", frame)))
     if len(args) != 2:
         return unknown
     function, found = args[0].value, items(args[1].value)
-    if found is None or len(found) > LONGEST_INSIDE:
-        return unknown
     location = Location(frame.source.path)
-    made: list[Cell] = []
-    for item in found:
+
+    def given(item: Value) -> Value:
         if function == NONE:
-            value: Value = item
-        else:
-            arguments = (call_arguments.PassedArgument(item),)
-            value = calls.apply(walk, frame, function, arguments, (), location, syntax.Name(name))
+            return item
+        return calls.apply(
+            walk, frame, function, (call_arguments.PassedArgument(item),), (), location, syntax.Name(name)
+        )
+
+    if found is None or len(found) > LONGEST_INSIDE:
+        reason = "a list made from one that is not known"
+        element = walk.opaque(reason, frame)
+        walk.either_way([lambda: NONE, lambda: given(element)], reason)
+        return unknown
+    made: list[Cell] = []
+    is_whole = True
+    for item in found:
+        value = given(item)
         if name == "map":
             made.append(Cell(value))
             continue
         holds = conversions.truth(value)
-        if holds is None and item is not OTHER_NAMES:
-            return unknown
+        is_whole = is_whole and (holds is not None or item is OTHER_NAMES)
         if holds:
             made.append(Cell(item))
-    return Sequence(Cell(tuple(made)))
+    return Sequence(Cell(tuple(made))) if is_whole else unknown
 
 
 def dictionary(walk: Walk, frame: Frame, args: tuple[PassedArgument, ...]) -> Value:

@@ -1,0 +1,691 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Whether the model of generated programs in Python is what they do when they run.
+
+    python tests/bench/run_oracle.py SEED COUNT [--show]
+
+Each program is generated (none is anybody's), its model is made, and it is run several times with a module in place of rospy that writes down
+what is made; what a program draws by chance differs from run to run, and every callback is called. The exit code is 1 where the two disagree:
+
+- ``missing``: something is made that the model does not have, and does not say that it may lack anything;
+- ``ruled out``: something is made of which the model says that it cannot be;
+- ``phantom``: the model has something without a condition that a run to the end does not make;
+- ``never``: the model has something under conditions that none of the runs makes: counted, and shown with ``--show``.
+"""
+
+from __future__ import annotations
+
+import random
+import re
+import resource
+import sys
+from collections import Counter
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from types import SimpleNamespace
+from typing import Any
+
+from tests.link.follow_kit import follow, python_files
+
+RUNS = 12
+#: Bytes that all may take: a text that doubles in a loop ends its program.
+MEMORY = 600_000_000
+STEPS = 3_000
+WORDS = "arm base cam drive eye fork gear hub imu jaw".split()
+KEYS = "left right top low".split()
+CALLS = {"publishers": "rospy.Publisher({0}, {1}, queue_size={2})", "subscribers": "rospy.Subscriber({0}, {1}, {3})"}
+TYPES = ("String", "Bool", "Int32", "Empty")
+
+
+class Stop(BaseException):
+    """A program that takes too long."""
+
+
+@dataclass
+class Scope:
+    """What may be named where a statement stands, by type."""
+
+    names: dict[str, list[str]] = field(default_factory=dict)
+    depth: int = 0
+    in_loop: bool = False
+    returns: str | None = None
+    has_self: bool = False
+
+    def inner(self, **changes: Any) -> Scope:
+        given = {"depth": self.depth + 1, "in_loop": self.in_loop, "returns": self.returns, "has_self": self.has_self}
+        return Scope({kind: list(names) for kind, names in self.names.items()}, **{**given, **changes})
+
+    def add(self, kind: str, name: str) -> None:
+        for names in self.names.values():
+            if name in names:
+                names.remove(name)
+        self.names.setdefault(kind, []).append(name)
+
+
+class Program:
+    """One generated program, as text."""
+
+    def __init__(self, seed: int) -> None:
+        self.random = random.Random(seed)
+        self.count = 0
+        self.lines: list[str] = []
+        #: Functions by what they return, each with its name, the types of its parameters, and whether it makes something.
+        self.functions: list[tuple[str, tuple[str, ...], str | None]] = []
+        self.methods: dict[str, list[tuple[str, tuple[str, ...], str | None]]] = {}
+        self.attributes: dict[str, dict[str, str]] = {}
+        self.callbacks: list[str] = []
+        self.text = self._program()
+
+    def new(self, prefix: str) -> str:
+        self.count += 1
+        return f"{prefix}{self.count}"
+
+    def pick(self, *options: Any) -> Any:
+        return self.random.choice(options)
+
+    def chance(self, share: float) -> bool:
+        return self.random.random() < share
+
+    # -- expressions
+
+    def of(self, kind: str, scope: Scope, depth: int = 0) -> str:
+        """An expression of that type."""
+        known = scope.names.get(kind, [])
+        if known and self.chance(0.55):
+            return str(self.random.choice(known))
+        if depth > 2:
+            return self.literal(kind)
+        ways: dict[str, list[Callable[[Scope, int], str]]] = {
+            "str": [
+                self._join,
+                self._format,
+                self._text_method,
+                self._choice,
+                self._of_list,
+                self._of_dict,
+                self._call_str,
+            ],
+            "int": [self._sum, self._len, self._count, self._call_int],
+            "bool": [self._compare, self._chance, self._in, self._both, self._compare],
+            "list": [self._list, self._comprehension, self._keys, self._split, self._list],
+            "dict": [self._dict, self._dict_comprehension, self._dict],
+        }
+        if self.chance(0.3):
+            return self.literal(kind)
+        return self.random.choice(ways[kind])(scope, depth + 1)
+
+    def literal(self, kind: str) -> str:
+        match kind:
+            case "str":
+                return f'"{self.random.choice(WORDS)}"'
+            case "int":
+                return str(self.random.randint(0, 4))
+            case "bool":
+                return str(self.pick("True", "False"))
+            case "list":
+                return "[" + ", ".join(f'"{w}"' for w in self.random.sample(WORDS, self.random.randint(1, 3))) + "]"
+            case _:
+                keys = self.random.sample(KEYS, self.random.randint(1, 3))
+                return "{" + ", ".join(f'"{k}": "{self.random.choice(WORDS)}"' for k in keys) + "}"
+
+    def _join(self, scope: Scope, depth: int) -> str:
+        between = self.pick(' + "/" + ', ' + "_" + ', " + ")
+        return f"({self.of('str', scope, depth)}{between}{self.of('str', scope, depth)})"
+
+    def _format(self, scope: Scope, depth: int) -> str:
+        one, two = self.of("str", scope, depth), self.of("int", scope, depth)
+        return str(
+            self.pick(
+                f'"%s_%d" % ({one}, {two})',
+                f'"{{}}/n{{}}".format({one}, {two})',
+                f'"{{a}}_{{b}}".format(a={one}, b={two})',
+                f'f"{{{one.replace(chr(34), chr(39))}}}/n{{{two.replace(chr(34), chr(39))}}}"'
+                if 'f"' not in one + two and "\\" not in one + two and "'" not in one + two
+                else one,
+                f'"n" + str({two})',
+            )
+        )
+
+    def _text_method(self, scope: Scope, depth: int) -> str:
+        one = self.of("str", scope, depth)
+        return str(
+            self.pick(
+                f"{one}.upper()",
+                f'{one}.replace("a", "o")',
+                f"{one}[1:]",
+                f"{one}[:2]",
+                f'{one}.strip("a")',
+                f'{one}.rstrip("r")',
+                f'"_".join({self.of("list", scope, depth)})',
+                f'{one}.split("/")[0]',
+                f"{one}.title()",
+                f'{one}.partition("_")[2]',
+                f"str({one})",
+            )
+        )
+
+    def _choice(self, scope: Scope, depth: int) -> str:
+        return (
+            f"({self.of('str', scope, depth)} if {self.of('bool', scope, depth)} else {self.of('str', scope, depth)})"
+        )
+
+    def _of_list(self, scope: Scope, depth: int) -> str:
+        one = self.of("list", scope, depth)
+        return str(self.pick(f"{one}[0]", f"{one}[-1]", f"sorted({one})[0]", f"max({one})", f"next(iter({one}))"))
+
+    def _of_dict(self, scope: Scope, depth: int) -> str:
+        one, key = self.of("dict", scope, depth), self.random.choice(KEYS)
+        return str(self.pick(f'{one}.get("{key}", {self.of("str", scope, depth)})', f"list({one}.values())[0]"))
+
+    def _call_str(self, scope: Scope, depth: int) -> str:
+        return self._call("str", scope, depth) or self.literal("str")
+
+    def _call_int(self, scope: Scope, depth: int) -> str:
+        return self._call("int", scope, depth) or self.literal("int")
+
+    def _call(self, kind: str | None, scope: Scope, depth: int) -> str:
+        found = [f for f in self.functions if f[2] == kind]
+        if not found:
+            return ""
+        name, parameters, _ = self.random.choice(found)
+        return f"{name}({', '.join(self.of(p, scope, depth + 1) for p in parameters)})"
+
+    def _sum(self, scope: Scope, depth: int) -> str:
+        sign = self.pick("+", "*", "+")
+        return str(
+            self.pick(
+                f"({self.of('int', scope, depth)} {sign} {self.of('int', scope, depth)})",
+                f"({self.of('int', scope, depth)} % 3)",
+                f"({self.of('int', scope, depth)} // 2)",
+                f"max({self.of('int', scope, depth)}, {self.of('int', scope, depth)})",
+            )
+        )
+
+    def _len(self, scope: Scope, depth: int) -> str:
+        return f"len({self.of(self.pick('list', 'str', 'dict'), scope, depth)})"
+
+    def _count(self, scope: Scope, depth: int) -> str:
+        return str(
+            self.pick(
+                f"int({self.of('bool', scope, depth)})",
+                f"sum(1 for _ in {self.of('list', scope, depth)})",
+                f'{self.of("str", scope, depth)}.count("a")',
+                "random.randint(0, 2)",
+            )
+        )
+
+    def _compare(self, scope: Scope, depth: int) -> str:
+        return str(
+            self.pick(
+                f"{self.of('str', scope, depth)} == {self.of('str', scope, depth)}",
+                f"({self.of('int', scope, depth)} {self.pick('<', '>', '==', '!=', '<=')} {self.of('int', scope, depth)})",
+                f'{self.of("str", scope, depth)}.startswith("{self.random.choice("abcdef")}")',
+                f"bool({self.of(self.pick('list', 'str', 'int'), scope, depth)})",
+            )
+        )
+
+    def _chance(self, scope: Scope, depth: int) -> str:
+        return "random.random() < 0.5"
+
+    def _in(self, scope: Scope, depth: int) -> str:
+        which = self.pick("list", "dict")
+        word = self.random.choice(WORDS if which == "list" else KEYS)
+        return f'("{word}" {self.pick("in", "not in")} {self.of(which, scope, depth)})'
+
+    def _both(self, scope: Scope, depth: int) -> str:
+        return str(
+            self.pick(
+                f"({self.of('bool', scope, depth)} {self.pick('and', 'or')} {self.of('bool', scope, depth)})",
+                f"(not {self.of('bool', scope, depth)})",
+                f'{self.pick("any", "all")}(w > "d" for w in {self.of("list", scope, depth)})',
+            )
+        )
+
+    def _list(self, scope: Scope, depth: int) -> str:
+        return str(
+            self.pick(
+                f"[{self.of('str', scope, depth)}, {self.of('str', scope, depth)}]",
+                f"({self.of('list', scope, depth)} + {self.of('list', scope, depth)})",
+                f"sorted({self.of('list', scope, depth)})",
+                f"list(reversed({self.of('list', scope, depth)}))",
+                f"[*{self.of('list', scope, depth)}, {self.of('str', scope, depth)}]",
+                f"({self.of('list', scope, depth)} * 2)",
+            )
+        )
+
+    def _comprehension(self, scope: Scope, depth: int) -> str:
+        name = self.new("w")
+        inner = scope.inner()
+        inner.add("str", name)
+        end = f" if {self.of('bool', inner, depth + 1)}" if self.chance(0.4) else ""
+        made = f"[{self.of('str', inner, depth)} for {name} in {self.of('list', scope, depth)}{end}]"
+        return f'({made} or ["none"])'
+
+    def _keys(self, scope: Scope, depth: int) -> str:
+        one = self.of("dict", scope, depth)
+        return str(self.pick(f"list({one})", f"sorted({one}.values())", f"list(map(str.upper, {one}))"))
+
+    def _split(self, scope: Scope, depth: int) -> str:
+        return f'{self.of("str", scope, depth)}.split("{self.pick("_", "/", "a")}")'
+
+    def _dict(self, scope: Scope, depth: int) -> str:
+        return str(
+            self.pick(
+                f'{{"{self.random.choice(KEYS)}": {self.of("str", scope, depth)}}}',
+                f"dict({self.random.choice(KEYS)}={self.of('str', scope, depth)})",
+                f"dict(zip({self.of('list', scope, depth)}, {self.of('list', scope, depth)}))",
+                f'{{**{self.of("dict", scope, depth)}, "{self.random.choice(KEYS)}": {self.of("str", scope, depth)}}}',
+            )
+        )
+
+    def _dict_comprehension(self, scope: Scope, depth: int) -> str:
+        name = self.new("k")
+        inner = scope.inner()
+        inner.add("str", name)
+        return f"{{{name}: {self.of('str', inner, depth)} for {name} in {self.of('list', scope, depth)}}}"
+
+    # -- statements
+
+    def block(self, scope: Scope, indent: str, size: int) -> list[str]:
+        found: list[str] = []
+        for _ in range(size):
+            found += self.statement(scope, indent)
+        return found or [f"{indent}pass"]
+
+    def statement(self, scope: Scope, indent: str) -> list[str]:
+        ways = [self._make] * 4 + [self._assign] * 5 + [self._change] * 2
+        if scope.depth < 3:
+            ways += [self._if] * 3 + [self._for] * 3 + [self._while, self._try, self._with, self._nested]
+        ways += [self._plain_call, self._leave]
+        return self.random.choice(ways)(scope, indent)
+
+    def make(self, scope: Scope) -> str:
+        kind = self.pick("publishers", "subscribers")
+        callback = self.random.choice([*self.callbacks, "print"])
+        return CALLS[kind].format(self.of("str", scope), self.pick(*TYPES), self.of("int", scope, 2), callback)
+
+    def _make(self, scope: Scope, indent: str) -> list[str]:
+        return [f"{indent}{self.make(scope)}"]
+
+    def _assign(self, scope: Scope, indent: str) -> list[str]:
+        kind = self.pick("str", "str", "int", "bool", "list", "dict")
+        value = self.of(kind, scope)
+        if scope.has_self and self.chance(0.4):
+            name = f"self.{self.random.choice('pqr')}_{kind}"
+            return [f"{indent}{name} = {value}"]
+        name = self.new("v")
+        names = scope.names.get(kind, [])
+        plain = [n for n in names if "." not in n and not n.startswith("G")]
+        if plain and self.chance(0.35):
+            name = self.random.choice(plain)
+        second, other = self.of("str", scope), self.new("v")
+        scope.add(kind, name)
+        if kind == "str" and self.chance(0.15):
+            scope.add("str", other)
+            return [f"{indent}{name}, {other} = {value}, {second}"]
+        return [f"{indent}{name} = {value}"]
+
+    def _change(self, scope: Scope, indent: str) -> list[str]:
+        for kind in self.random.sample(("list", "dict", "str", "int"), 4):
+            names = [n for n in scope.names.get(kind, []) if not n.startswith("G")]
+            if names:
+                name = self.random.choice(names)
+                word = self.of("str", scope)
+                return [
+                    indent
+                    + {
+                        "list": self.pick(
+                            f"{name}.append({word})",
+                            f"{name}.extend({self.of('list', scope)})",
+                            f"{name}.insert(0, {word})",
+                            f"{name}[0] = {word}",
+                            f"{name} += [{word}]",
+                            f"{name}.sort()",
+                            f"{name}.reverse()",
+                        ),
+                        "dict": self.pick(
+                            f'{name}["{self.random.choice(KEYS)}"] = {word}',
+                            f'{name}.setdefault("{self.random.choice(KEYS)}", {word})',
+                            f"{name}.update({self.of('dict', scope)})",
+                        ),
+                        "str": f"{name} += {word}",
+                        "int": f"{name} += {self.of('int', scope, 2)}",
+                    }[kind]
+                ]
+        return self._assign(scope, indent)
+
+    def _if(self, scope: Scope, indent: str) -> list[str]:
+        found = [f"{indent}if {self.of('bool', scope)}:"]
+        found += self.block(scope.inner(), indent + "    ", self.random.randint(1, 3))
+        if self.chance(0.3):
+            found.append(f"{indent}elif {self.of('bool', scope)}:")
+            found += self.block(scope.inner(), indent + "    ", self.random.randint(1, 2))
+        if self.chance(0.5):
+            found.append(f"{indent}else:")
+            found += self.block(scope.inner(), indent + "    ", self.random.randint(1, 2))
+        return found
+
+    def _for(self, scope: Scope, indent: str) -> list[str]:
+        inner = scope.inner(in_loop=True)
+        one, two = self.new("i"), self.new("i")
+        way = self.random.randint(0, 4)
+        if way == 0:
+            head = f"for {one} in {self.of('list', scope)}:"
+            inner.add("str", one)
+        elif way == 1:
+            head = f"for {one}, {two} in {self.of('dict', scope)}.items():"
+            inner.add("str", one)
+            inner.add("str", two)
+        elif way == 2:
+            head = f"for {one}, {two} in enumerate(list({self.of('list', scope)})):"
+            inner.add("int", one)
+            inner.add("str", two)
+        elif way == 3:
+            head = f"for {one} in range({self.of('int', scope, 2)}):"
+            inner.add("int", one)
+        else:
+            head = f"for {one}, {two} in zip(list({self.of('list', scope)}), list({self.of('list', scope)})):"
+            inner.add("str", one)
+            inner.add("str", two)
+        found = [indent + head, *self.block(inner, indent + "    ", self.random.randint(1, 3))]
+        if self.chance(0.15):
+            found += [f"{indent}else:", *self.block(scope.inner(), indent + "    ", 1)]
+        return found
+
+    def _while(self, scope: Scope, indent: str) -> list[str]:
+        name = self.new("c")
+        inner = scope.inner(in_loop=True)
+        body = self.block(inner, indent + "    ", self.random.randint(1, 2))
+        # No continue may pass over the counter.
+        return [
+            f"{indent}{name} = {self.random.randint(0, 2)}",
+            f"{indent}while {name} < {self.random.randint(1, 4)}:",
+            f"{indent}    {name} += 1",
+            *body,
+        ]
+
+    def _try(self, scope: Scope, indent: str) -> list[str]:
+        found = [f"{indent}try:"]
+        found += self.block(scope.inner(), indent + "    ", self.random.randint(1, 2))
+        if self.chance(0.4):
+            found += [f'{indent}    {{}}["none"]' if self.chance(0.5) else f"{indent}    raise ValueError()"]
+        found += [f"{indent}except ({self.pick('KeyError, ValueError', 'Exception', 'LookupError, ValueError')}):"]
+        found += self.block(scope.inner(), indent + "    ", 1)
+        if self.chance(0.3):
+            found += [f"{indent}finally:", *self.block(scope.inner(in_loop=False, returns=None), indent + "    ", 1)]
+        return found
+
+    def _with(self, scope: Scope, indent: str) -> list[str]:
+        return [f"{indent}with LOCK:", *self.block(scope.inner(), indent + "    ", self.random.randint(1, 2))]
+
+    def _nested(self, scope: Scope, indent: str) -> list[str]:
+        """A function inside that uses what is around it, called at once or twice."""
+        name, parameter = self.new("inner"), self.new("a")
+        inner = scope.inner(in_loop=False, returns=None)
+        inner.add("str", parameter)
+        body = [f"{indent}    {self.make(inner)}"]
+        if self.chance(0.5):
+            body = [f"{indent}    if {self.of('bool', inner)}:", f"{indent}        return", *body]
+        calls = [f"{indent}{name}({self.of('str', scope)})" for _ in range(self.random.randint(1, 2))]
+        if self.chance(0.3):
+            calls = [
+                f"{indent}for {self.new('i')} in map({name}, list({self.of('list', scope)})):",
+                f"{indent}    pass",
+            ]
+        return [f"{indent}def {name}({parameter}):", *body, *calls]
+
+    def _plain_call(self, scope: Scope, indent: str) -> list[str]:
+        call = self._call(None, scope, 0)
+        return [f"{indent}{call}"] if call else self._assign(scope, indent)
+
+    def _leave(self, scope: Scope, indent: str) -> list[str]:
+        if scope.in_loop and scope.depth and self.chance(0.6):
+            return [f"{indent}if {self.of('bool', scope)}:", f"{indent}    {self.pick('break', 'continue')}"]
+        if scope.returns is not None and scope.depth:
+            value = f" {self.of(scope.returns, scope)}" if scope.returns else ""
+            return [f"{indent}if {self.of('bool', scope)}:", f"{indent}    return{value}"]
+        return self._assign(scope, indent)
+
+    # -- definitions
+
+    def _function(self, around: Scope) -> None:
+        kind = self.pick("str", "str", "int", None, None)
+        name = self.new("f")
+        types = tuple(self.pick("str", "int", "list", "bool") for _ in range(self.random.randint(0, 2)))
+        scope = around.inner(depth=1, returns=kind or "", in_loop=False)
+        parameters = []
+        for number, one in enumerate(types):
+            parameter = self.new("a")
+            scope.add(one, parameter)
+            default = f"={self.literal(one)}" if number == len(types) - 1 and self.chance(0.3) and one != "list" else ""
+            parameters.append(parameter + default)
+        body = self.block(scope, "    ", self.random.randint(1, 4))
+        if kind:
+            body.append(f"    return {self.of(kind, scope)}")
+        if self.chance(0.15):
+            self.lines.append("@passed")
+        self.lines += [f"def {name}({', '.join(parameters)}):", *body, ""]
+        self.functions.append((name, types, kind))
+
+    def _callback(self, around: Scope) -> None:
+        name = self.new("heard")
+        scope = around.inner(depth=2, returns="", in_loop=False)
+        self.lines += [f"def {name}(message):", *self.block(scope, "    ", self.random.randint(1, 3)), ""]
+        self.callbacks.append(name)
+
+    def _class(self, around: Scope, base: str | None) -> str:
+        name = self.new("C")
+        attributes = {f"self.{n}_{k}": k for n in "pqr" for k in ("str", "int", "list", "dict", "bool")}
+        head = f"class {name}({base}):" if base else f"class {name}:"
+        lines = [head]
+        if self.chance(0.5):
+            lines.append(f"    shared = {self.literal('str')}")
+        else:
+            lines.append('    shared = "hub"')
+        scope = around.inner(depth=1, has_self=True, returns=None, in_loop=False)
+        scope.add("str", "first")
+        lines.append("    def __init__(self, first):")
+        if base:
+            lines.append(f"        super().__init__({self.of('str', scope)})")
+        else:
+            lines += [f"        {full} = {self.literal(kind)}" for full, kind in attributes.items()]
+        for full, kind in attributes.items():
+            scope.names.setdefault(kind, []).append(full)
+        scope.names["str"].append("self.shared")
+        lines += self.block(scope, "        ", self.random.randint(1, 4))
+        own = around.inner(depth=1, has_self=True, returns="", in_loop=False)
+        for full, kind in attributes.items():
+            own.names.setdefault(kind, []).append(full)
+        own.names["str"].append("self.shared")
+        for method in ("step", "more") if not base else (self.pick("step", "more"),):
+            inner = own.inner(depth=1)
+            inner.add("str", "given")
+            lines.append(f"    def {method}(self, given):")
+            if base and self.chance(0.5):
+                lines.append(f"        super().{method}({self.of('str', inner)})")
+            lines += self.block(inner, "        ", self.random.randint(1, 3))
+            if method == "step" and self.chance(0.5):
+                lines.append(f"        self.more({self.of('str', inner)})")
+        self.lines += [*lines, ""]
+        return name
+
+    def _program(self) -> str:
+        top = Scope()
+        self.lines = [
+            "#!/usr/bin/env python3",
+            "import random",
+            "import threading",
+            "import rospy",
+            "from std_msgs.msg import Bool, Empty, Int32, String",
+            "",
+            "LOCK = threading.RLock()",
+            "",
+            "def passed(function):",
+            "    def wrapped(*args, **kwargs):",
+            "        return function(*args, **kwargs)",
+            "    return wrapped",
+            "",
+        ]
+        for kind in ("str", "list", "dict", "int"):
+            name = self.new("G")
+            self.lines.append(f"{name} = {self.literal(kind)}")
+            top.add(kind, name)
+        self.lines.append("")
+        classes: list[str] = []
+        for _ in range(self.random.randint(1, 5)):
+            self._function(top)
+        if self.chance(0.6):
+            self._callback(top)
+        if self.chance(0.7):
+            classes.append(self._class(top, None))
+            if self.chance(0.6):
+                classes.append(self._class(top, classes[0]))
+        scope = top.inner(depth=0)
+        body = self.block(scope, "    ", self.random.randint(2, 6))
+        for one in classes:
+            if self.chance(0.8):
+                body.append(f"    made = {one}({self.of('str', scope)})")
+                for _ in range(self.random.randint(0, 2)):
+                    body.append(f"    made.{self.pick('step', 'more')}({self.of('str', scope)})")
+        main = ["def main():", '    rospy.init_node("n")', *body, "    rospy.spin()", ""]
+        self.lines += [*main, 'if __name__ == "__main__":', "    main()", ""]
+        return "\n".join(self.lines)
+
+
+@dataclass
+class Run:
+    """What one run of a program made, by kind, name and type, each with its queue size; *error* if it did not come to its end."""
+
+    made: list[tuple[str, str, str, int | None]]
+    error: str = "it does not spin"
+
+
+def run(text: str, seed: int) -> Run:
+    """Run a program of ours with something in rospy's place."""
+    made: list[tuple[str, str, str, int | None]] = []
+    callbacks: list[Callable[[Any], Any]] = []
+    steps, spun = 0, False
+
+    def watch(frame: Any, event: str, argument: Any) -> Any:
+        nonlocal steps
+        steps += 1
+        if steps > STEPS:
+            raise Stop
+        return watch
+
+    def publisher(name: str, kind: Any, queue_size: int | None = None) -> None:
+        made.append(("publishers", name, kind, queue_size))
+
+    def subscriber(name: str, kind: Any, callback: Any) -> None:
+        made.append(("subscribers", name, kind, None))
+        if callback is not print:
+            callbacks.append(callback)
+
+    def spin() -> None:
+        nonlocal spun
+        spun = True
+        for _ in range(3):
+            for callback in list(callbacks):
+                callback(None)
+
+    rospy = SimpleNamespace(Publisher=publisher, Subscriber=subscriber, init_node=lambda name: None, spin=spin)
+    own = re.sub(r"^(import rospy|from std_msgs.*|import random)$", "", text, flags=re.MULTILINE)
+    names: dict[str, Any] = {
+        "rospy": rospy,
+        "random": random.Random(seed),
+        "__name__": "__main__",
+        **{t: t for t in TYPES},
+    }
+    before = sys.gettrace()
+    try:
+        code = compile(own, "generated", "exec")
+        sys.settrace(watch)
+        exec(code, names)
+    except Stop:
+        return Run(made, "steps")
+    except Exception as error:
+        return Run(made, f"{type(error).__name__}: {error}")
+    finally:
+        sys.settrace(before)
+    return Run(made, "" if spun else "it does not spin")
+
+
+def full(name: str) -> str:
+    """A name as the node ``/n`` has it."""
+    return name if name.startswith("/") else f"/{name}"
+
+
+def admits(pattern: str, name: str) -> bool:
+    return re.fullmatch("".join(".*" if c == "?" else re.escape(c) for c in pattern), name, re.DOTALL) is not None
+
+
+def judge(text: str, runs: Sequence[Run]) -> tuple[list[str], Counter[str]]:
+    """Where the model of a program disagrees with its runs, and counts."""
+    found = follow(python_files(text))
+    counts: Counter[str] = Counter()
+    nodes = [node for configuration in found.configurations for node in configuration.nodes]
+    if len(nodes) != 1:
+        return [f"{len(nodes)} nodes"], counts
+    (node,) = nodes
+    ends = [end for end in node.endpoints if end.kind in CALLS and not end.implicit]
+    is_open = any(unknown.field == "endpoints" for unknown in node.unknowns)
+    problems: list[str] = []
+    whole = [one for one in runs if not one.error]
+    made = {(kind, full(name), type_) for one in runs for kind, name, type_, _ in one.made}
+    for kind, name, type_ in sorted(made):
+        if re.search(r"//|[^\w/]", name) or not name[1:] or name.endswith("/"):
+            counts["names that are none"] += 1
+            continue
+        alike = [e for e in ends if e.kind == kind and admits(e.name, name)]
+        fits = [e for e in alike if e.type in (None, f"std_msgs/{type_}")]
+        counts["made"] += 1
+        if any("?" not in e.name for e in fits):
+            counts["made, name known"] += 1
+        if not fits:
+            problems.append(
+                f"missing: {kind} {name} {type_}" if not is_open else f"missing, said: {kind} {name} {type_}"
+            )
+        elif all(e.is_ruled_out for e in fits):
+            problems.append(f"ruled out: {kind} {name} {type_}")
+    for end in ends:
+        if end.is_ruled_out or "?" in end.name or end.type is None:
+            continue
+        counts["known"] += 1
+        times = [
+            any((k, full(n), f"std_msgs/{t}") == (end.kind, end.name, end.type) for k, n, t, _ in one.made)
+            for one in whole
+        ]
+        is_conditional = end.conditions or end.early_ways or any(one.field == "conditions" for one in end.unknowns)
+        if whole and not is_conditional and not all(times):
+            problems.append(f"phantom: {end.kind} {end.name} {end.type} line {end.location and end.location.line}")
+        elif whole and not any(times):
+            counts["never"] += 1
+            problems.append(
+                f"never: {end.kind} {end.name} {end.type} line {end.location and end.location.line} {[c.condition for c in end.conditions]}"
+            )
+    return problems, counts
+
+
+def main(seed: int, count: int, show: bool) -> int:
+    resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
+    total: Counter[str] = Counter()
+    bad = 0
+    for number in range(seed, seed + count):
+        text = Program(number).text
+        runs = [run(text, k) for k in range(RUNS)]
+        total["programs"] += 1
+        total["programs that end"] += any(not one.error for one in runs)
+        problems, counts = judge(text, runs)
+        total += counts
+        for problem in problems:
+            kind = problem.partition(":")[0]
+            total[kind] += 1
+            if kind in ("missing", "ruled out", "phantom") or (show and kind == "never") or "nodes" in kind:
+                bad += kind != "never"
+                print(f"{number}: {problem}", flush=True)
+    for key, value in total.items():
+        print(f"{key}: {value}")
+    return 1 if bad else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(int(sys.argv[1]), int(sys.argv[2]), "--show" in sys.argv))

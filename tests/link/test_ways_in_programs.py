@@ -1,0 +1,106 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Python: what generated programs have shown (``tests/bench/run_oracle.py``): handlers that may end a loop, functions given to map, ways behind a return."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.link.follow_kit import conditions, ends, names, python
+
+LOOP = """
+for x in ["a", "b", "c"]:
+    try:
+        y = open(x)
+    except {handler}:
+        {body}
+    rospy.Publisher(x, String, queue_size=1)
+"""
+
+
+@pytest.mark.parametrize("handler", ["OSError", "Exception", "(KeyError, ValueError)"])
+@pytest.mark.parametrize(
+    "body",
+    [
+        "break",
+        "continue",
+        "if True: break",
+        "if True: continue",
+        "if len(x) == 1: break",
+        "for z in [1]:\n            break",
+        "pass",
+        "raise",
+    ],
+)
+def test_a_handler_that_may_end_a_loop_ends_no_turn_for_certain(handler: str, body: str) -> None:
+    assert names(python(LOOP.format(handler=handler, body=body))) == ["/a", "/b", "/c"]
+
+
+@pytest.mark.parametrize("body", ["if True: return", "return", "if x == 'a': return"])
+def test_nor_a_function(body: str) -> None:
+    text = (
+        "def f(x):\n    try:\n        y = open(x)\n    except OSError:\n        {}\n"
+        "    rospy.Publisher(x, String, queue_size=1)\nf('a')\nf('b')\n"
+    )
+    assert names(python(text.format(body))) == ["/a", "/b"]
+
+
+UNKNOWN = "import random\nxs = ['a', 'b']\nif random.random() < 0.5:\n    xs.append('c')\n"
+
+
+@pytest.mark.parametrize(
+    "call",
+    [
+        "list(map(f, xs))",
+        "for _ in map(f, xs):\n    pass",
+        "list(filter(f, xs))",
+        "list(map(lambda x: f(x), rospy.get_param('~unset')))",
+        "tuple(map(f, reversed(xs)))",
+    ],
+)
+def test_a_function_is_called_for_what_a_list_may_have(call: str) -> None:
+    found = python(UNKNOWN + "def f(x):\n    rospy.Publisher('/p/' + x, String, queue_size=1)\n" + call)
+    assert names(found) == ["/p/?"]
+
+
+@pytest.mark.parametrize(
+    ("call", "expected"),
+    [
+        ("list(map(f, ['a', 'b']))", ["/a", "/b"]),
+        ("list(filter(f, ['a', 'b']))", ["/a", "/b"]),
+        ("list(map(f, []))", []),
+        ("list(map(str, ['a']))", []),
+        ("list(filter(None, ['a']))", []),
+        ("list(map(str, xs))", []),
+    ],
+)
+def test_and_for_what_it_has(call: str, expected: list[str]) -> None:
+    found = python(
+        UNKNOWN + "def f(x):\n    rospy.Publisher(x, String, queue_size=1)\n    return random.random() < 0.5\n" + call
+    )
+    assert names(found) == expected
+
+
+BEHIND = """
+import random
+def make():
+    rospy.Publisher("a", String, queue_size=1)
+def f():
+    {before}
+    if {test}:
+        return
+    make()
+f()
+"""
+
+
+@pytest.mark.parametrize(
+    ("before", "test", "expected"),
+    [
+        ("if random.random() < 0.5: make()", "1 > 0", ["random.random() < 0.5"]),
+        ("make()", "1 > 0", []),
+        ("if random.random() < 0.5: make()", "1 > 2", []),
+    ],
+)
+def test_a_way_behind_a_return_that_is_taken_does_not_count(before: str, test: str, expected: list[str]) -> None:
+    (end,) = ends(python(BEHIND.format(before=before, test=test)))
+    assert [condition for _, condition, _, _ in conditions(end)] == expected
