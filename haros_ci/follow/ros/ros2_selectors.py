@@ -116,9 +116,9 @@ def _entry(applied: Applied, name: Value, cell: Cell) -> Mapping[str, Value]:
     from haros_ci.follow.ros.selectors import TypeValue, select_value
 
     value, kind = cell.value, cell.type
-    told = select_value(applied, "<0>")
-    if isinstance(told, TypeValue):
-        kind = told.type
+    template = select_value(applied, "<0>")
+    if isinstance(template, TypeValue):
+        kind = template.type
     elif isinstance(value, Object) and kind is not None:
         kind = kind.of(0)
     parts = _default_and_descriptor(value, kind)
