@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterable
 from dataclasses import replace
 from pathlib import Path
 
+from haros_ci.model.launch_commands import Commanded, commanded
 from haros_ci.model.loose_launches import is_loose_launch
 from haros_ci.model.package import Package, SourceFile
 from haros_ci.model.workspace import Buffer, Hiding, Problem, Workspace
@@ -265,15 +266,18 @@ def _launch_files_of_no_package(
 ) -> Iterable[Problem]:
     """One problem for all launch files that lie in no package, nor beside one whose nodes they start: they are no configuration."""
     found = []
+    commands: Commanded | None = None
+    files = tuple(files)
     for file in files:
         launches = _LAUNCHES.get(file.language)
         if file.package is None and launches is not None and not file.third_party:
-            *directories, name = file.path.split("/")
-            if file.language == "python" and not name.endswith("launch.py"):
-                continue
-            text = reader.text(file.path) if _TESTS.isdisjoint(directories) else ""
-            if launches.search(text) and not is_loose_launch(file, packages, text):
-                found.append(file.path)
+            text = reader.text(file.path) if _TESTS.isdisjoint(file.path.split("/")[:-1]) else ""
+            if launches.search(text):
+                commands = commands if commands is not None else commanded(files, reader.text)
+                is_commanded = commands.names(file)
+                is_named = is_commanded or file.language != "python" or file.path.endswith("launch.py")
+                if not is_named or not is_loose_launch(file, packages, text, is_commanded=is_commanded):
+                    found.append(file.path)
     yield from _in_no_package(
         found, ("launch file", "launch files"), "what is started there is no configuration of the model"
     )

@@ -527,6 +527,7 @@ STRAY = "{} in no package: what is started there is no configuration of the mode
     ("files", "words"),
     [
         ({"launch.py": PYTHON_LAUNCH}, "a launch file that lies"),
+        ({"start.py": PYTHON_LAUNCH}, "a launch file that lies"),
         ({"a/top.launch": XML_LAUNCH, "b_launch.py": PYTHON_LAUNCH}, "this and 1 more launch file lie"),
         (
             {"a.launch.xml": XML_LAUNCH, "b.launch.yaml": b"launch:\n- node: {pkg: p}\n", "c.launch.py": PYTHON_LAUNCH},
@@ -543,7 +544,7 @@ def test_launch_files_in_no_package_are_named_once(tmp_path: Path, files: dict[s
     [
         {"launch.py": b"import os\nos.system('make')\n"},
         {"launch.py": b"# def generate_launch_description\n"},
-        {"start.py": PYTHON_LAUNCH},
+        {"start.py": PYTHON_LAUNCH.replace(b"def g", b"    def g")},
         {"test/a.launch.py": PYTHON_LAUNCH},
         {"a.launch": b"[program]\nname=x\n"},
         {"a.xml": XML_LAUNCH},
