@@ -30,6 +30,8 @@ LOADING = frozenset(("load_controller", "load_start_controller", "load_configure
 TOOLS = {
     **dict.fromkeys((("bag", "play"), ("bag", "record")), "ros2bag"),
     **dict.fromkeys((("topic", command) for command in ("pub", "echo", "hz", "bw", "delay")), "ros2topic"),
+    ("service", "call"): "ros2service",
+    ("action", "send_goal"): "ros2action",
 }
 #: What ends the words of a command in a shell.
 _SHELL = regex(r"[;&|<>]|[12]>|.*;\Z")
