@@ -284,14 +284,8 @@ def _topic_echo(words: Sequence[str], file: File | None) -> Iterator[KnownEndpoi
     yield _of_line("subscribers", parsed(words, _TOPIC_VALUES), _OF_PUBLISHER)
 
 
-_CALL_VALUES = (
-    "-r --rate -t --timeout --qos-profile --qos-depth --qos-history --qos-reliability --qos-durability --qos-liveliness "
-    "--qos-liveliness-lease-duration-seconds"
-)
-
-
 def _service_call(words: Sequence[str], file: File | None) -> Iterator[KnownEndpoint]:
-    yield _of_line("clients", parsed(words, _CALL_VALUES), _OF_LINE)
+    yield _of_line("clients", parsed(words, _TOPIC_VALUES), _OF_LINE)
 
 
 def _send_goal(words: Sequence[str], file: File | None) -> Iterator[KnownEndpoint]:
