@@ -60,7 +60,8 @@ def _launch(run: LaunchEvaluation, action: Action, conditions: tuple[Condition, 
             (literal(name), (text.raw,)) for name, text in passed.items() if text.known
         ]
         if MARK in file or not include_known(run, action, literal(file), phrases, conditions):
-            context.problem(action.location, f"launches {quoted(_shown(file))}: {why}; what it starts is unknown")
+            shown = _shown(" ".join(words[: 1 if is_path else 2]))
+            context.problem(action.location, f"launches {quoted(shown)}: {why}; what it starts is unknown")
     context.scope, context.included = around
 
 
