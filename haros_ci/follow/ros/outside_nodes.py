@@ -32,7 +32,7 @@ NO_NODE = "it initialises the client library, but no node of it is seen"
 #: Methods of an executor that are given a node; ``spin_until_future_complete`` is given what it waits for.
 HANDED = ("add_node", "spin_node")
 #: Types of which a value may be of any class.
-ANYTHING = frozenset(("auto", "object", "typing.Any", "typing.Optional", "typing.Union"))
+ANYTHING = frozenset(("auto", "object", *(f"typing.{name}" for name in "Any Optional Union".split())))
 #: Methods of nodes that other classes have, too, and that are given the class of a service first.
 OF_SERVICES = ("create_service", "create_client")
 #: Parts of names of classes that interfaces are generated to.
