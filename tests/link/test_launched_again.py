@@ -141,6 +141,8 @@ def test_what_is_launched_is_no_configuration_of_its_own(tmp_path: Path) -> None
         ("['python3', '-m', 'arm.talker']", ["/chatter"]),
         ("['python3', '-u', '-m', 'arm.talker', '--ros-args', '-r', '__ns:=/a']", ["/a/chatter"]),
         ("['python3 -m arm.talker'], shell=True", ["/chatter"]),
+        ("[sys.executable, '-m', 'arm.talker']", ["/chatter"]),
+        ("[sys.executable, SHARE + '/scripts/by_hand.py']", ["/chatter"]),
         ("['python3', SHARE + '/../../lib/arm/talk']", []),
         ("['python3', get_package_prefix('arm') + '/lib/arm/talk']", ["/chatter"]),
         ("['python3', SHARE + '/scripts/by_hand.py']", ["/chatter"]),
