@@ -9,7 +9,7 @@ from haros_ci.follow.frames import RAISED, RETURN, THROW, Frame
 from haros_ci.follow.libraries import harmless
 from haros_ci.follow.walk import Walk
 from haros_ci.model.location import Location
-from haros_ci.values.abstract import Cell, Known, Library, Value
+from haros_ci.values.abstract import Cell, Known, Library, Opaque, Value
 from haros_ci.values.state import Writes, joined
 
 
@@ -18,7 +18,7 @@ def attempt(walk: Walk, frame: Frame, statement: syntax.Try) -> str:
 
     Where nothing in it is seen to throw, a handler begins with anything that it may have done by then, and afterwards counts what
     the block assigns. A handler that gives up, as it returns false or nothing, is followed for what it makes, and not for what it
-    leaves behind.
+    leaves behind. Where the block reads a file of the workspace, what a handler assigns in its place does not count either.
     """
     block, handlers = statement.body, statement.handlers
     is_caught = frame.function is not None and frame.function.name != "main" and not harmless.are_ends(handlers)
@@ -59,12 +59,19 @@ def attempt(walk: Walk, frame: Frame, statement: syntax.Try) -> str:
         ):
             del frame.returned[returned:], frame.exits[returned:]
         own = walk.state.since(begun)
+        if trial.is_read and not trial.places:  # what stands in for a file that is there
+            own = {cell: value for cell, value in own.items() if not _is_known(after.get(cell))}
         writes = walk.state.undo(start)
         branches.append((how, writes if trial.places else {**after, **own}))
     walk.trials = trials
     is_passed_on = ended == RAISED and not any(map(thrown.catches, handlers))
     live = [*range(1, len(branches))] if trial.is_left else None
     return statements.merge(walk, frame, branches[:1] if is_passed_on else branches, live)
+
+
+def _is_known(value: object) -> bool:
+    """Whether something is assigned of which anything is known."""
+    return value is not None and not isinstance(value, Opaque)
 
 
 def _is_failure(value: Value) -> bool:

@@ -83,12 +83,25 @@ def is_text(argument: call_arguments.PassedArgument) -> bool:
     )
 
 
+def map_of(walk: Walk, frame: Frame, kind: Type, arguments: tuple[call_arguments.PassedArgument, ...]) -> Value:
+    """A map constructed from *arguments*: nothing, another map, or pairs in braces, with or without braces around all of them."""
+    values = [argument.value for argument in arguments]
+    only = values[0] if len(values) == 1 else None
+    if isinstance(only, Mapped):
+        return copies.copied(walk, only, kind)
+    inside = only.content.value if isinstance(only, Sequence) and only.type is None else None
+    if isinstance(inside, tuple) and all(_pair(cell.value) is not None for cell in inside):
+        values = [cell.value for cell in inside]
+    if any(_pair(value) is None for value in values):
+        return Mapped(Cell(walk.opaque("a map that is built in a way that is not followed", frame)))
+    return _pairs(walk, frame, kind, values)
+
+
 def _pairs(walk: Walk, frame: Frame, kind: Type, values: list[Value]) -> Value:
     inner = kind.of(1)
     made: dict[object, Cell] = {}
     for value in values:
-        content = value.content.value if isinstance(value, Sequence) else None
-        pair = content if isinstance(content, tuple) and len(content) == 2 else None
+        pair = _pair(value)
         if isinstance(value, Mapped) and len(values) == 1:
             return copies.copied(walk, value, kind)
         key = pair[0].value if pair is not None else None
@@ -96,6 +109,14 @@ def _pairs(walk: Walk, frame: Frame, kind: Type, values: list[Value]) -> Value:
             return Mapped(Cell(walk.opaque("a map with computed keys", frame)))
         made.setdefault(key.value, Cell(fitted(walk, frame, inner, pair[1].value), inner))
     return Mapped(Cell(made))
+
+
+def _pair(value: Value) -> tuple[Cell, Cell] | None:
+    """The two parts of a pair, or of braces that stand for one."""
+    if isinstance(value, Object) and value.name == copies.PAIR and {"first", "second"} <= value.fields.keys():
+        return value.fields["first"], value.fields["second"]
+    content = value.content.value if isinstance(value, Sequence) and value.type is None else None
+    return (content[0], content[1]) if isinstance(content, tuple) and len(content) == 2 else None
 
 
 def fitted(walk: Walk, frame: Frame, kind: Type | None, value: Value) -> Value:

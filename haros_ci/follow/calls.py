@@ -24,6 +24,7 @@ from haros_ci.follow import (
     managers,
     members,
     methods,
+    opaque_receivers,
     packs,
     partials,
     qt,
@@ -37,7 +38,7 @@ from haros_ci.follow.libraries import given_away, library
 from haros_ci.follow.libraries import objects as library_objects
 from haros_ci.follow.ros import api_rows, forwarding, outside_nodes, ros2_parameters
 from haros_ci.follow.walk import Walk
-from haros_ci.index.types import is_smart_pointer, pointee
+from haros_ci.index.types import is_smart_pointer
 from haros_ci.model.location import Location
 from haros_ci.syntax import Expression
 from haros_ci.values import iterators
@@ -175,47 +176,16 @@ def method_call(  # noqa: C901 - one branch for each kind of receiver, in the or
             given_away.started(walk, name, receiver)
         return of_node or library.unknown_call(walk, frame, f"{receiver.name}::{name}", args)
     if isinstance(receiver, Opaque):
-        kind = receiver.type or (cell.type if cell is not None else None)
-        if kind is not None and kind.name:
-            kind = pointee(kind)
-            loaded = alternatives.of_base(walk, kind.name) if walk.alternatives else ()
-            if loaded:
-                item = [partial(method_call, walk, frame, one, None, name, args, targs, location) for one in loaded]
-                return walk.either_way(item, "it is called on one of several objects")
-            if walk.alternatives and (held := alternatives.element(walk, kind, name)) is not None:
-                return Opaque(receiver.reason, receiver.location, held)
-            owner_class = walk.class_of(kind.name, frame.source)
-            if owner_class is not None:
-                summary = library_objects.summary_object(walk, owner_class, kind, receiver)
-                if methods.method_of(walk, summary, name, args) is not None:
-                    dynamic.virtual(walk, owner_class, name, location)
-                    return method_call(walk, frame, summary, None, name, args, targs, location)
-            else:
-                stand_in = Object(
-                    kind.name, kind.arguments, namespace=receiver if kind.name in api_rows.HANDLES else None
-                )
-                for owner in library_objects.owners(walk, stand_in):
-                    found = api_rows.call(
-                        walk, frame, f"{owner}{frame.source.separator}{name}", stand_in, args, targs, location
-                    )
-                    if found is not None:
-                        return found
-        else:
-            handle = api_rows.node_class(walk, name, frame.source.separator, len(args), bool(targs))
-            if handle:
-                stand_in = Object(handle, namespace=receiver)
-                qualified = f"{handle}{frame.source.separator}{name}"
-                found = api_rows.call(walk, frame, qualified, stand_in, args, targs, location)
-                if found is not None:
-                    return found
-        walk.calls_unknown |= name == "second"  # a function of a map
-        return library.unknown_call(walk, frame, name, args, receiver)
+        return opaque_receivers.method_call(walk, frame, receiver, cell, name, args, targs, location)
     of = "" if not isinstance(receiver, Library) or receiver.this else handles.by_method(frame, name, args, targs)
     if isinstance(receiver, Library) and of:
         space = walk.opaque(f"what {receiver.name} is is not known", frame, location.line)
         found = api_rows.call(walk, frame, f"{of}::{name}", Object(of, namespace=space), args, targs, location)
         if found is not None:
             return found
+    of_member = opaque_receivers.of_member(walk, frame, receiver, name, args, targs, location)
+    if of_member is not None:
+        return of_member
     of_object = library_calls.of_object(walk, frame, receiver, name, args, targs, location)
     if of_object is not None:
         return of_object

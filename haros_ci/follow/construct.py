@@ -110,10 +110,7 @@ def create(
     if name in SEQUENCES:
         return _vector(walk, frame, kind, arguments)
     if name in MAPS:
-        value = arguments[0].value if arguments else Mapped(Cell({}))
-        if not isinstance(value, Mapped):
-            return Mapped(Cell(walk.opaque("a map that is built in a way that is not followed", frame)))
-        return copies.copied(walk, value, kind)
+        return braces.map_of(walk, frame, kind, arguments)
     if name == tuples.TUPLE.name:
         return arguments[0].value if len(arguments) == 1 and len(kind.arguments) != 1 else tuples.made(arguments)
     if call_arguments.is_scalar(kind):

@@ -20,7 +20,7 @@ from haros_ci.follow import (
     properties,
 )
 from haros_ci.follow.frames import Frame
-from haros_ci.follow.libraries import argparse, python_modules
+from haros_ci.follow.libraries import argparse, python_modules, python_paths
 from haros_ci.follow.libraries import python as library_python
 from haros_ci.follow.ros import ros2_parameters
 from haros_ci.follow.walk import Walk
@@ -228,6 +228,9 @@ def attribute(walk: Walk, value: Value, name: str, frame: Frame) -> Value:  # no
             found_ = attribute(walk, option, name, frame)
             result = found_ if result is None else join(result, found_)
         return result if result is not None else NONE
+    of_path = python_paths.attribute(walk, frame, value, name) if frame.source.separator == "." else None
+    if of_path is not None:
+        return of_path
     if isinstance(value, Opaque):
         kind = value.type
         if kind is not None and kind.name:

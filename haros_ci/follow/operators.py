@@ -10,7 +10,7 @@ from dataclasses import replace
 from haros_ci import syntax
 from haros_ci.follow import activation, call_arguments, conversions, expressions, methods, overriding
 from haros_ci.follow.frames import Frame
-from haros_ci.follow.libraries import formats, python_kinds, python_lists, python_numbers, texts
+from haros_ci.follow.libraries import formats, python_kinds, python_lists, python_numbers, python_paths, texts
 from haros_ci.follow.walk import Walk
 from haros_ci.index.types import STRINGS
 from haros_ci.syntax import Expression
@@ -99,7 +99,10 @@ def binary(walk: Walk, frame: Frame, symbol: str, left: Value, right: Value) -> 
             if isinstance(value, Known) and not issubclass(value.kind, (str, Character)):
                 return walk.opaque("a number is added to a text", frame)
         return concatenate((left, right))
-    if symbol == "/" and _is_text(left) and _is_text(right) and frame.source.separator == "::":  # std::filesystem::path
+    if symbol == "/" and frame.source.separator == ".":
+        if python_paths.is_path(left) and (_is_text(right) or isinstance(right, Opaque)):
+            return python_paths.divided(walk, frame, left, right)
+    elif symbol == "/" and _is_text(left) and _is_text(right):  # std::filesystem::path
         return concatenate((left, Known("/"), right))
     if symbol == "%" and isinstance(left, Known) and issubclass(left.kind, str):
         return formats.percent(walk, frame, left.of(str), right)

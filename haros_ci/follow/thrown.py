@@ -54,7 +54,7 @@ class Trial:
     """The block of a ``try`` that is followed in *frame*: what it had written since *mark* wherever it may be left.
 
     *dead* are the branches around it that are not taken as things are, *depth* the conditions and doubts around it. *is_left* once it is
-    left for certain: what follows in it is gone through for what it makes otherwise.
+    left for certain: what follows in it is gone through for what it makes otherwise. *is_read* once a file of the workspace is read in it.
     """
 
     frame: Frame
@@ -64,6 +64,7 @@ class Trial:
     depth: int
     places: list[Writes] = field(default_factory=list)
     is_left: bool = False
+    is_read: bool = False
 
 
 @contextmanager

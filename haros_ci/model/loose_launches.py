@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Launch files in a directory without a package.xml that stands beside packages and whose nodes they start: people launch them by their paths."""
+"""Launch files in a directory without a package.xml that stands beside packages and whose nodes they start, or that a command starts: people launch them by their paths."""
 
 from __future__ import annotations
 
@@ -24,8 +24,7 @@ _ASIDE = frozenset("doc docs documentation example examples sample samples templ
 def is_beside_packages(path: str, packages: Iterable[Package]) -> bool:
     """Whether the directory around that of the file at *path*, which is in no package, has packages in it or below."""
     around = path.rpartition("/")[0].rpartition("/")[0]
-    is_aside = is_archived(path) or not _ASIDE.isdisjoint(path.lower().split("/")[:-1])
-    return not is_aside and any(not around or package.path.startswith(f"{around}/") for package in packages)
+    return not is_aside(path) and any(not around or package.path.startswith(f"{around}/") for package in packages)
 
 
 def starts_any(text: str, names: Collection[str]) -> bool:
@@ -33,8 +32,15 @@ def starts_any(text: str, names: Collection[str]) -> bool:
     return any(name in names for match in _STARTED.finditer(text) for name in match.groups() if name)
 
 
-def is_loose_launch(file: SourceFile, packages: Collection[Package], text: str) -> bool:
-    """Whether a *file* with that *text* is such a launch file, if it is one at all."""
-    if file.package is not None or file.third_party or not is_beside_packages(file.path, packages):
+def is_aside(path: str) -> bool:
+    """Whether the file at *path* is in a directory of tests, examples or what is no longer used."""
+    return is_archived(path) or not _ASIDE.isdisjoint(path.lower().split("/")[:-1])
+
+
+def is_loose_launch(file: SourceFile, packages: Collection[Package], text: str, *, is_commanded: bool = False) -> bool:
+    """Whether a *file* with that *text* is such a launch file, if it is one at all; one that *is_commanded* may lie anywhere."""
+    if file.package is not None or file.third_party:
+        return False
+    if not is_commanded and not is_beside_packages(file.path, packages):
         return False
     return starts_any(text, {package.name for package in packages})

@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterable
 from dataclasses import replace
 from pathlib import Path
 
+from haros_ci.model.launch_commands import Commanded, commanded
 from haros_ci.model.loose_launches import is_loose_launch
 from haros_ci.model.package import Package, SourceFile
 from haros_ci.model.workspace import Buffer, Hiding, Problem, Workspace
@@ -28,6 +29,9 @@ _OF_ROS = regex(r"#[ \t]*include[ \t]*[<\"](?:ros\.h|rosserial|ArduinoHardware|m
 #: The branch of Python modules that are started, and what imports a client library of ROS.
 _STARTED = regex(r"""^if[ (]+__name__\s*==\s*["']__main__["']""", re.MULTILINE)
 _CLIENT = regex(r"^(?:import|from)[ \t]+(?:rospy|rclpy)\b", re.MULTILINE)
+#: The function that a program of C++ begins with, and what initialises a client library of ROS in it.
+_MAIN = regex(r"^[ \t]*(?:int|auto)[ \t\n]{1,9}main[ \t]*\(", re.MULTILINE)
+_INITIALISED = regex(r"\b(?:ros|rclcpp)::init[ \t]*\(")
 #: What a launch file has, by its language (design.ros2.org/articles/roslaunch.html, wiki.ros.org/roslaunch/XML).
 _LAUNCHES = {
     "launch": regex(r"<launch\b|^launch[ \t]*:", re.MULTILINE),
@@ -36,6 +40,8 @@ _LAUNCHES = {
 #: The name of a package, in a manifest that no parser takes.
 _NAME = regex(rb"<name>\s*([A-Za-z][\w-]{0,99})\s*</name>")
 _TESTS = frozenset(("test", "tests"))
+#: What it means for the model that a program lies in no package.
+_LOST = "what nodes publish and subscribe to there is not in the model"
 #: A package, and what is wrong with its manifest.
 _Found = tuple[Package, Problem | None]
 
@@ -103,6 +109,7 @@ def assemble(
     links: dict[str, str] = {}
     packages: dict[str, _Found] = {}
     undecided: dict[str, Content] = {}
+    initialised: set[str] = set()
     for manifest in context:
         packages[_directory(manifest.path)] = (_package(manifest, name)[0], None)
     for content in contents:
@@ -126,6 +133,8 @@ def assemble(
             if supports_both(packages[directory][0]):
                 undecided[directory] = content
         if usable:
+            if content.language == "cpp" and (b"ros::init" in content.data or b"rclcpp::init" in content.data):
+                initialised.add(content.path)
             files.append(
                 SourceFile(
                     path=content.path,
@@ -153,6 +162,7 @@ def assemble(
     found += _of_rosbuild(owned, names, reader)
     found += _of_sketches(names, reader)
     found += _of_no_package(owned, reader)
+    found += _cpp_of_no_package(owned, initialised, names, reader)
     found += _launch_files_of_no_package(owned, every, reader)
     return Workspace(
         root=root,
@@ -256,8 +266,26 @@ def _of_no_package(files: Iterable[SourceFile], reader: TextReader) -> Iterable[
                 text = reader.text(file.path)
                 if _CLIENT.search(text) and _STARTED.search(text):
                     found.append(file.path)
-    lost = "what nodes publish and subscribe to there is not in the model"
-    yield from _in_no_package(found, ("Python program of ROS", "Python programs of ROS"), lost)
+    yield from _in_no_package(found, ("Python program of ROS", "Python programs of ROS"), _LOST)
+
+
+def _cpp_of_no_package(
+    files: Iterable[SourceFile], initialised: set[str], names: frozenset[str], reader: TextReader
+) -> Iterable[Problem]:
+    """One problem for all C++ programs that lie in no package, of those that have *initialised* a client library of ROS: no node is made of them.
+
+    Packages of rosbuild have a problem of their own.
+    """
+    found = []
+    for file in files:
+        if file.path in initialised and file.package is None and not file.third_party:
+            *directories, name = file.path.split("/")
+            around = ("/".join((*directories[:number], "manifest.xml")) for number in range(len(directories) + 1))
+            if _TESTS.isdisjoint(directories) and not name.startswith("test_") and names.isdisjoint(around):
+                text = reader.text(file.path)
+                if _INITIALISED.search(text) and _MAIN.search(text):
+                    found.append(file.path)
+    yield from _in_no_package(found, ("C++ program of ROS", "C++ programs of ROS"), _LOST)
 
 
 def _launch_files_of_no_package(
@@ -265,15 +293,18 @@ def _launch_files_of_no_package(
 ) -> Iterable[Problem]:
     """One problem for all launch files that lie in no package, nor beside one whose nodes they start: they are no configuration."""
     found = []
+    commands: Commanded | None = None
+    files = tuple(files)
     for file in files:
         launches = _LAUNCHES.get(file.language)
         if file.package is None and launches is not None and not file.third_party:
-            *directories, name = file.path.split("/")
-            if file.language == "python" and not name.endswith("launch.py"):
-                continue
-            text = reader.text(file.path) if _TESTS.isdisjoint(directories) else ""
-            if launches.search(text) and not is_loose_launch(file, packages, text):
-                found.append(file.path)
+            text = reader.text(file.path) if _TESTS.isdisjoint(file.path.split("/")[:-1]) else ""
+            if launches.search(text):
+                commands = commands if commands is not None else commanded(files, reader.text)
+                is_commanded = commands.names(file)
+                is_named = is_commanded or file.language != "python" or file.path.endswith("launch.py")
+                if not is_named or not is_loose_launch(file, packages, text, is_commanded=is_commanded):
+                    found.append(file.path)
     yield from _in_no_package(
         found, ("launch file", "launch files"), "what is started there is no configuration of the model"
     )

@@ -174,9 +174,55 @@ def test_ros2(tmp_path: Path, process: str, name: str, expected: dict[str, str |
     assert (node.name, ends(node)) == (name, expected)
 
 
+SPAWN = "turtlesim/srv/Spawn"
+FIBONACCI = "example_interfaces/action/Fibonacci"
+
+
+@pytest.mark.parametrize(
+    ("process", "kind", "expected"),
+    [
+        (f"cmd=['ros2', 'service', 'call', '/spawn', '{SPAWN}', '{{x: 2}}']", "clients", {"/spawn": SPAWN}),
+        (f"cmd=['ros2 service call -r 1 spawn {SPAWN} \"{{x: 2}}\"'], shell=True", "clients", {"/spawn": SPAWN}),
+        (
+            f"cmd=[[FindExecutable(name='ros2'), ' service call ', '/spawn ', '{SPAWN} ', '\"{{x: 2}}\"']], shell=True",
+            "clients",
+            {"/spawn": SPAWN},
+        ),
+        (f"cmd=['bash', '-c', 'sleep 1; ros2 service call /spawn {SPAWN}']", "clients", {"/spawn": SPAWN}),
+        (f"cmd=['ros2', 'service', 'call', LaunchConfiguration('s'), '{SPAWN}']", "clients", {"/?": SPAWN}),
+        ("cmd=['ros2', 'service', 'call', '/spawn', LaunchConfiguration('t')]", "clients", {"/spawn": None}),
+        (
+            f"cmd=['ros2', 'action', 'send_goal', '-f', '/a', '{FIBONACCI}', '{{order: 5}}']",
+            "action_clients",
+            {"/a": FIBONACCI},
+        ),
+    ],
+)
+def test_services_and_actions(tmp_path: Path, process: str, kind: str, expected: dict[str, str | None]) -> None:
+    (node,) = ros2(tmp_path, process)
+    assert ends(node, kind) == expected
+
+
+@pytest.mark.parametrize(
+    ("args", "expected"),
+    [
+        ("call /reset", {"/reset": None}),
+        ("call --wait reset 1", {"/reset": None}),
+        ("call $(env SERVICE)", {"/?": None}),
+        ("list", {}),
+        ("info /reset", {}),
+    ],
+)
+def test_rosservice(tmp_path: Path, args: str, expected: dict[str, str | None]) -> None:
+    assert ends(ros1(tmp_path, "rosservice/rosservice", args), "clients") == expected
+
+
 @pytest.mark.parametrize(
     "process",
     [
+        "cmd=['ros2', 'service', 'list']",
+        "cmd=['ros2', 'service', 'type', '/spawn']",
+        "cmd=['ros2', 'action', 'info', '/a']",
         "cmd=['ros2', 'bag', 'info', 'x']",
         "cmd=['ros2', 'topic', 'list']",
         "cmd=['ros2', 'launch', 'bag', 'play']",

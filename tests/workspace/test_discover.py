@@ -516,6 +516,54 @@ def test_other_python_is_not_named(tmp_path: Path, files: dict[str, bytes]) -> N
     assert messages(discover(plant(tmp_path, files), (".",))) == []
 
 
+NODE = b"#include <rclcpp/rclcpp.hpp>\nint main(int argc, char ** argv)\n{\n  rclcpp::init(argc, argv);\n}\n"
+OLD_NODE = b'#include "ros/ros.h"\nint\nmain(int argc, char** argv) { ros::init(argc, argv, "a"); }\n'
+COMPILED = "{} in no package: what nodes publish and subscribe to there is not in the model"
+
+
+@pytest.mark.parametrize(
+    ("files", "words"),
+    [
+        ({"node.cpp": NODE}, "a C++ program of ROS that lies"),
+        ({"tools/a.cpp": OLD_NODE}, "a C++ program of ROS that lies"),
+        ({"tools/a.cpp": OLD_NODE, "b.cc": NODE}, "this and 1 more C++ program of ROS lie"),
+        ({"tools/a.cpp": OLD_NODE, "b.cc": NODE, "c.cpp": NODE}, "this and 2 more C++ programs of ROS lie"),
+        (
+            {"tools/a.cpp": NODE, "arm/a.cpp": NODE, "arm/package.xml": manifest("arm")},
+            "a C++ program of ROS that lies",
+        ),
+    ],
+)
+def test_cpp_programs_in_no_package_are_named_once(tmp_path: Path, files: dict[str, bytes], words: str) -> None:
+    path = min(path for path in files if not path.startswith("arm/"))
+    assert messages(discover(plant(tmp_path, files), (".",))) == [(path, COMPILED.format(words))]
+
+
+@pytest.mark.parametrize(
+    "files",
+    [
+        {"a.cpp": b"#include <rclcpp/rclcpp.hpp>\nint main() {}\n"},
+        {"a.cpp": NODE.replace(b"main", b"helper")},
+        {"a.cpp": b"int main() { cv::init(1); }\n"},
+        {"a.cpp": b"int domain(int a) { ros::init(a); }\n"},
+        {"a.hpp": b"#include <rclcpp/rclcpp.hpp>\nclass A : public rclcpp::Node {};\n"},
+        {"test/a.cpp": NODE},
+        {"tools/test_a.cpp": NODE},
+        {"arm/a.cpp": NODE, "arm/package.xml": manifest("arm")},
+        {"tools/a.md": NODE},
+        {"tools/a.cpp": b"// rclcpp::init(argc, argv)\nint domain();\n"},
+    ],
+)
+def test_other_cpp_is_not_named(tmp_path: Path, files: dict[str, bytes]) -> None:
+    assert messages(discover(plant(tmp_path, files), (".",))) == []
+
+
+def test_cpp_of_rosbuild_is_named_with_its_package(tmp_path: Path) -> None:
+    files = {"arm/manifest.xml": b"<package></package>", "arm/CMakeLists.txt": b"", "arm/src/a.cpp": OLD_NODE}
+    found = messages(discover(plant(tmp_path, files), (".",)))
+    assert not [words for _, words in found if "C++" in words]
+
+
 PYTHON_LAUNCH = (
     b"from launch import LaunchDescription\ndef generate_launch_description():\n    return LaunchDescription([])\n"
 )
@@ -527,6 +575,7 @@ STRAY = "{} in no package: what is started there is no configuration of the mode
     ("files", "words"),
     [
         ({"launch.py": PYTHON_LAUNCH}, "a launch file that lies"),
+        ({"start.py": PYTHON_LAUNCH}, "a launch file that lies"),
         ({"a/top.launch": XML_LAUNCH, "b_launch.py": PYTHON_LAUNCH}, "this and 1 more launch file lie"),
         (
             {"a.launch.xml": XML_LAUNCH, "b.launch.yaml": b"launch:\n- node: {pkg: p}\n", "c.launch.py": PYTHON_LAUNCH},
@@ -543,7 +592,7 @@ def test_launch_files_in_no_package_are_named_once(tmp_path: Path, files: dict[s
     [
         {"launch.py": b"import os\nos.system('make')\n"},
         {"launch.py": b"# def generate_launch_description\n"},
-        {"start.py": PYTHON_LAUNCH},
+        {"start.py": PYTHON_LAUNCH.replace(b"def g", b"    def g")},
         {"test/a.launch.py": PYTHON_LAUNCH},
         {"a.launch": b"[program]\nname=x\n"},
         {"a.xml": XML_LAUNCH},

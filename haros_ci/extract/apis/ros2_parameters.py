@@ -80,7 +80,7 @@ ROWS: tuple[Mapping[str, object], ...] = (
      "fills": {"names": "{parameters(0,1)}", "prefixes": "{prefixes(0,1)}"}},
     {"call": f"{NODE}::declare_parameters", "args": [2, 3],
      "makes": [{"kind": "parameters", "name": "{0}.{item.name}", "type": "{typeof(<0>)}", "value": "{item.default}",
-                "each": "keys(1)"}]},
+                "descriptor": "{item.descriptor}", "each": "keys(1)"}]},
     {"call": f"{NODE}::undeclare_parameter", "args": [1], "makes": [{"kind": "setters", "name": "{0}"}]},
     {"call": f"{NODE}::has_parameter", "args": [1], "returns": "{declared(0)}"},
     {"call": f"{NODE}::get_parameter", "args": [1], "makes": [{"kind": "getters", "name": "{0}", "strict": True}],

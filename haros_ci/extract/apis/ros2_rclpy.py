@@ -244,6 +244,8 @@ ROWS: tuple[dict[str, object], ...] = (
     {"call": "ament_index_python.packages.get_package_share_directory",
      "returns": "$(find-pkg-share {0|package_name})"},
     {"call": "ament_index_python.get_package_share_directory", "returns": "$(find-pkg-share {0|package_name})"},
+    {"call": "ament_index_python.packages.get_package_share_path", "returns": "$(find-pkg-share {0|package_name})"},
+    {"call": "ament_index_python.get_package_share_path", "returns": "$(find-pkg-share {0|package_name})"},
     {"call": "ament_index_python.packages.get_package_prefix", "returns": "$(find-pkg-prefix {0|package_name})"},
     {"call": "ament_index_python.get_package_prefix", "returns": "$(find-pkg-prefix {0|package_name})"},
 )

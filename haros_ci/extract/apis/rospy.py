@@ -248,8 +248,34 @@ ROWS: tuple[dict[str, object], ...] = (
      "makes": [{"kind": "subscribers", "name": "{0|topic}", "type": "{typename(1|msg_type)}"}],
      "calls": ["2", "cond_cb"]},
     {"call": "smach_ros.ConditionState", "calls": ["0", "cond_cb"]},
+    # smach_ros/introspection.py: once it is started it has the same topics for each container. action_server_wrapper.py
+    {"call": "smach_ros.IntrospectionServer", "fills": {"server": "{0|server_name}"}},
+    {"call": "smach_ros.IntrospectionServer.start",
+     "makes": [{"kind": "publishers", "name": "{this.server}/smach/container_status",
+                "type": "smach_msgs/SmachContainerStatus", "queue_size": 1, "latched": False},
+               {"kind": "publishers", "name": "{this.server}/smach/container_structure",
+                "type": "smach_msgs/SmachContainerStructure", "queue_size": 1, "latched": False},
+               {"kind": "subscribers", "name": "{this.server}/smach/container_init",
+                "type": "smach_msgs/SmachContainerInitialStatusCmd"}]},
+    {"call": "smach_ros.IntrospectionServer.stop"},
+    {"call": "smach_ros.ActionServerWrapper",
+     "makes": [{"kind": "action_servers", "name": "{0|server_name}", "type": "{typename(1|action_spec)}"}]},
+    {"call": "smach_ros.ActionServerWrapper.run_server"},
 )
 # fmt: on
+
+#: Modules of smach_ros in which classes are defined, and may be named.
+SMACH = {
+    "introspection": "IntrospectionServer IntrospectionServer.start IntrospectionServer.stop",
+    "action_server_wrapper": "ActionServerWrapper ActionServerWrapper.run_server",
+}
+ROWS += tuple(
+    row | {"call": f"smach_ros.{module}.{name}"}
+    for module, names in SMACH.items()
+    for name in names.split()
+    for row in ROWS
+    if row.get("call") == f"smach_ros.{name}"
+)
 
 #: Modules of rospy in which the classes and functions above are defined, and may be named.
 MODULES = {

@@ -54,7 +54,18 @@ TABLES: tuple[tuple[str, int, tuple[str, ...]], ...] = (
             "ros2_control",
         ),
     ),
-    ("python", 2, ("ros2_rclpy", "ros2_rclpy_libraries", "ros2_rclpy_navigator", "ros2_rclpy_qos", "python_threads")),
+    (
+        "python",
+        2,
+        (
+            "ros2_rclpy",
+            "ros2_rclpy_libraries",
+            "ros2_rclpy_navigator",
+            "ros2_rclpy_qos",
+            "ros2_rclpy_smach",
+            "python_threads",
+        ),
+    ),
 )
 
 

@@ -37,6 +37,14 @@ _SPECIFIER = regex(r"%(?:\((\w+)\))?([-#0 +]{0,3}\d{0,2}(?:\.\d{1,2})?)([diouxXe
 _SPECIFICATION = regex(r"(?:.?[<>=^])?[-+ ]?#?0?\d{0,2}(?:\.\d{1,2})?[bdeEfFgGosxX%]?")
 _FIELD = regex(r"(\w*)((?:\.\w+|\[\w+\])*)")
 _STEP = regex(r"\.\w+|\[\w+\]")
+#: What joins paths; a path of pathlib is its text.
+JOINING = frozenset(
+    (
+        "os.path.join",
+        "posixpath.join",
+        *(f"pathlib.{name}" for name in ("Path", "PurePath", "PosixPath", "PurePosixPath")),
+    )
+)
 #: Functions of paths that compute with texts alone.
 PATHS = {
     f"{module}.{function.__name__}": function

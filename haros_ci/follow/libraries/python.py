@@ -8,9 +8,7 @@ from typing import TYPE_CHECKING
 from haros_ci import syntax
 from haros_ci.follow import commands, comprehensions, dispatch, dynamic, members, methods, partials, thrown
 from haros_ci.follow.frames import Frame
-from haros_ci.follow.libraries import (
-    argparse as command_lines,
-)
+from haros_ci.follow.libraries import argparse as command_lines
 from haros_ci.follow.libraries import (
     argparse_words,
     attribute_names,
@@ -21,12 +19,11 @@ from haros_ci.follow.libraries import (
     python_kinds,
     python_lists,
     python_numbers,
+    python_paths,
     python_texts,
     ros_words,
 )
-from haros_ci.follow.libraries import (
-    yaml as library_yaml,
-)
+from haros_ci.follow.libraries import yaml as library_yaml
 from haros_ci.follow.walk import Walk
 from haros_ci.values.abstract import (
     LIST_LIMIT,
@@ -132,7 +129,7 @@ def function(walk: Walk, frame: Frame, name: str, args: tuple[PassedArgument, ..
         return args[1].value
     if name == "re.sub":
         return partly_texts.substituted(args)
-    if name in ("os.path.join", "posixpath.join") and args:
+    if name in formats.JOINING and args:
         return formats.path(walk, frame, args)
     if name in formats.PATHS and isinstance(first, Known) and issubclass(first.kind, str) and len(args) == 1:
         return formats.of_path(name, first.of(str))
@@ -240,9 +237,11 @@ def method(walk: Walk, frame: Frame, receiver: Value, name: str, args: tuple[Pas
                 for item in items:
                     parts += [receiver, item] if parts else [item]
                 return concatenate(tuple(parts), printed)
-        return python_texts.method(walk, frame, receiver.of(str), name, args)
-    if isinstance(receiver, Text):
-        return partly_texts.method(receiver, name, args)
+        of_text = python_texts.method(walk, frame, receiver.of(str), name, args)
+        return of_text or python_paths.method(walk, frame, receiver, name, args)
+    if isinstance(receiver, (Text, own_files.Directory)):
+        of_text = partly_texts.method(receiver, name, args) if isinstance(receiver, Text) else None
+        return of_text or python_paths.method(walk, frame, receiver, name, args)
     if isinstance(receiver, Sequence):
         cells = receiver.content.value
         if (found := python_lists.method(walk, receiver, name, args)) is not None:

@@ -116,6 +116,8 @@ def yaml_file(walk: Walk, path: Value) -> Value:
             walk.index.trace.read[path.of(str)] = walk.context.read_yaml.digest(path.of(str))
         found = walk.context.read_yaml(path.of(str))
         if found is not None:
+            for trial in walk.trials:
+                trial.is_read = trial.is_read or not isinstance(found, Opaque)
             return found
         return Opaque(f"the YAML file {path.value or '(no name)'} is not in the workspace")
     return Opaque("the name of the YAML file is not known")

@@ -38,7 +38,6 @@ from haros_ci.values.abstract import (
     Cell,
     Known,
     Library,
-    Mapped,
     Object,
     Opaque,
     Pointer,
@@ -313,9 +312,7 @@ def _items(applied: selectors.Applied, entry: Entry) -> list[Mapping[str, Value]
     if inside[1] == "items":
         return ros2_selectors.items(applied, value)
     if inside[1] == "keys":
-        if isinstance(value, Mapped) and isinstance(value.content.value, dict):
-            return [{"name": Known(str(k)), "default": c.value} for k, c in value.content.value.items()]
-        return []
+        return ros2_selectors.entries(applied, value)
     name = selectors.config_name(value, applied.walk)
     config = applied.walk.configs.get(name)
     if config is None:

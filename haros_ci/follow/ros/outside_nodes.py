@@ -17,7 +17,7 @@ from haros_ci.follow.walk import Walk
 from haros_ci.index.index import Source
 from haros_ci.index.types import pointee
 from haros_ci.model.location import Location
-from haros_ci.values.abstract import Object, Opaque, Pointer, Value
+from haros_ci.values.abstract import Known, Object, Opaque, Pointer, Value
 
 if TYPE_CHECKING:
     from haros_ci.follow.call_arguments import PassedArgument
@@ -31,6 +31,10 @@ STARTING = frozenset(("rclcpp::init", "rclpy.init"))
 NO_NODE = "it initialises the client library, but no node of it is seen"
 #: Methods of an executor that are given a node; ``spin_until_future_complete`` is given what it waits for.
 HANDED = ("add_node", "spin_node")
+#: Types of which a value may be of any class.
+ANYTHING = frozenset(("auto", "object", *(f"typing.{name}" for name in "Any Optional Union".split())))
+#: Methods of nodes that other classes have, too, and that are given the class of a service first.
+OF_SERVICES = ("create_service", "create_client")
 #: Parts of names of classes that interfaces are generated to.
 INTERFACES = ("::msg::", "::srv::", "::action::", ".msg.", ".srv.", ".action.")
 #: Pointers to nodes in the parameters of classes that are given one.
@@ -63,6 +67,32 @@ def method(
     return api_rows.call(walk, frame, f"{handle}{separator}{name}", this, args, targs, location)
 
 
+def of_type(
+    walk: Walk,
+    frame: Frame,
+    this: Object,
+    receiver: Opaque,
+    name: str,
+    args: tuple[PassedArgument, ...],
+    targs: tuple[syntax.Argument, ...],
+    location: Location,
+) -> Value | None:
+    """A method that only a node has, of what is not known; *this* is of the type that it is declared with, of a class from outside or one that tells nothing."""
+    separator = frame.source.separator
+    if walk.context.process is None or name not in ros2_nodes.UNMISTAKABLE:
+        return None
+    if name in OF_SERVICES and not targs and args and isinstance(args[0].value, Known):  # the client of something else
+        return None
+    base = None if this.name in ANYTHING else _base(walk, this)
+    if base is None and this.name not in ANYTHING:
+        return None
+    if base is not None and separator in base:
+        walk.gaps.setdefault(OF_CLASS.format(base), receiver.location or location)
+    handle = ros2_nodes.NODE[separator]
+    node = Object(handle, namespace=receiver)
+    return api_rows.call(walk, frame, f"{handle}{separator}{name}", node, args, targs, location)
+
+
 def _name_it(walk: Walk, this: Object, base: str, location: Location) -> None:
     """*this* is a node, that of a class or base class *base* which is not here."""
     if this.node is None:
@@ -75,10 +105,10 @@ def _name_it(walk: Walk, this: Object, base: str, location: Location) -> None:
 
 def _base(walk: Walk, this: Object) -> str | None:
     """The first base class of *this* of which nothing is known."""
-    return next((name for name in library_objects.owners(walk, this) if _is_strange(walk, name)), None)
+    return next((name for name in library_objects.owners(walk, this) if is_strange(walk, name)), None)
 
 
-def _is_strange(walk: Walk, name: str) -> bool:
+def is_strange(walk: Walk, name: str) -> bool:
     """Whether a class or function is of a library of which nothing is known."""
     if not name or name in walk.rows or any(part in name for part in INTERFACES):
         return False
@@ -116,7 +146,7 @@ def given(walk: Walk, frame: Frame, kind: syntax.Type, this: Object, location: L
 
     A template of the workspace gets here if it has specialisations: it is no node for that.
     """
-    if walk.context.process is None or walk.quiet or not _is_strange(walk, kind.name):
+    if walk.context.process is None or walk.quiet or not is_strange(walk, kind.name):
         return
     for inner in kind.arguments:
         owner = walk.class_of(inner.name, frame.source) if type(inner) is syntax.Type else None

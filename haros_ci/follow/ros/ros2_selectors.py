@@ -6,10 +6,12 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING
 
-from haros_ci.follow import conversions
+from haros_ci.follow import braces, conversions
+from haros_ci.follow.libraries import tuples
 from haros_ci.follow.ros import ros2_nodes
 from haros_ci.graph.ros2_process import RosNode
 from haros_ci.index.ros_types import ros2_data_type, ros2_parameter_type
+from haros_ci.syntax import Type
 from haros_ci.values.abstract import (
     NONE,
     Cell,
@@ -88,6 +90,63 @@ def items(applied: Applied, value: object) -> list[Mapping[str, Value] | None]:
         applied.walk.gaps.setdefault(f"a list of parameters is not known: {reason}", applied.location)
         return []
     return [*found]
+
+
+def entries(applied: Applied, value: object) -> list[Mapping[str, Value] | None]:
+    """The entries of a map of names and defaults, each perhaps with a descriptor, as C++ has it (rclcpp/node.hpp)."""
+    content = value.content.value if isinstance(value, (Mapped, Sequence)) else value
+    if isinstance(content, dict):
+        return [_entry(applied, Known(str(name)), cell) for name, cell in content.items()]
+    found: list[Mapping[str, Value] | None] = []
+    for pair in content if isinstance(content, tuple) else ():
+        inside = pair.value.content.value if isinstance(pair.value, Sequence) else None
+        if not isinstance(inside, tuple) or len(inside) != 2:
+            content = None
+            break
+        found.append(_entry(applied, inside[0].value, inside[1]))
+    if isinstance(content, tuple):
+        return found
+    reason = content.reason if isinstance(content, Opaque) else "it is no map"
+    applied.walk.gaps.setdefault(f"a map of parameters is not known: {reason}", applied.location)
+    return []
+
+
+def _entry(applied: Applied, name: Value, cell: Cell) -> Mapping[str, Value]:
+    """What a map has under *name*: a default, or a pair of it and a descriptor."""
+    from haros_ci.follow.ros.selectors import TypeValue, select_value
+
+    value, kind = cell.value, cell.type
+    template = select_value(applied, "<0>")
+    if isinstance(template, TypeValue):
+        kind = template.type
+    elif isinstance(value, Object) and kind is not None:
+        kind = kind.of(0)
+    parts = _default_and_descriptor(value, kind)
+    if parts is None:
+        return {"name": name, "default": _initialised(applied, value, kind)}
+    return {"name": name, "default": _initialised(applied, parts[0], kind), "descriptor": parts[1]}
+
+
+def _default_and_descriptor(value: Value, kind: Type | None) -> tuple[Value, Value] | None:
+    """The parts of a pair, or of braces that stand for one: those of a list have no list in them, and a number has no two parts."""
+    if isinstance(value, Object) and value.name == tuples.PAIR and value.fields.keys() >= set(tuples.PARTS):
+        first, second = (value.fields[part].value for part in tuples.PARTS)
+        return first, second
+    inside = value.content.value if isinstance(value, Sequence) and value.type is None else None
+    if not isinstance(inside, tuple) or len(inside) != 2:
+        return None
+    first, second = inside[0].value, inside[1].value
+    shown = conversions.value_type(second)
+    is_descriptor = shown is not None and shown.name.rpartition("::")[2] == "ParameterDescriptor"
+    is_one = kind is not None and conversions.zero_of(kind) is not None
+    return (first, second) if is_descriptor or is_one or isinstance(first, Sequence) else None
+
+
+def _initialised(applied: Applied, value: Value, kind: Type | None) -> Value:
+    """A default as one of type *kind* is initialised with it."""
+    if kind is not None and isinstance(value, Sequence) and value.type is None:
+        return braces.from_list(applied.walk, applied.frame, kind, value)
+    return conversions.converted(value, kind)
 
 
 def listed(value: object) -> list[Mapping[str, Value]] | None:

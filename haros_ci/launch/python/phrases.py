@@ -9,8 +9,22 @@ from typing import Any
 from haros_ci.launch.python.paths import MARKER
 from haros_ci.launch.python.run import ScriptEvaluation
 from haros_ci.launch.python.sequences import items_of
-from haros_ci.launch.python.values import LibraryCall, Maybe, Rest, Unknown, Value, merged, mystery, phrase, why
+from haros_ci.launch.python.values import (
+    Library,
+    LibraryCall,
+    Maybe,
+    Rest,
+    Unknown,
+    Value,
+    merged,
+    mystery,
+    phrase,
+    why,
+)
 from haros_ci.model.launch_actions import Phrase, Substitution
+
+#: What runs the launch file: as the program of a command line it is a Python, wherever it lies.
+INTERPRETER = Library("sys.executable")
 
 
 def phrases_of(
@@ -43,7 +57,7 @@ def words(run: ScriptEvaluation, value: Value, call: LibraryCall) -> Phrase:
     parts: list[Any] = []
     for index, item in enumerate(items):
         parts.extend((" ",) if index else ())
-        text = phrase(item)
+        text = phrase(item if index or item != INTERPRETER else "python3")
         if not text or (len(text) == 1 and isinstance(text[0], str)):
             word = str(text[0]) if text else ""
             parts.append(shlex.quote(word) if not word or needs_quotes(word) else word)

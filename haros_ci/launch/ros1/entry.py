@@ -11,6 +11,7 @@ from haros_ci.launch.ros1.scope import LoaderScope
 from haros_ci.launch.ros1.state import RoslaunchState
 from haros_ci.model.environment import NOTHING
 from haros_ci.model.launch import LaunchElement, LaunchFile
+from haros_ci.model.launch_commands import commanded
 from haros_ci.model.location import Location
 from haros_ci.model.loose_launches import is_loose_launch
 from haros_ci.model.workspace import Workspace
@@ -25,17 +26,24 @@ def entry_files(
 ) -> tuple[str, ...]:
     """The ROS 1 launch files in packages that no other one there includes, and those beside packages (``loose_launches``), sorted.
 
-    Paths of includes are followed with the args' defaults and in *environment*, whether or not their conditions
+    They are called ``*.launch``, or a command starts them (``launch_commands``). Paths of includes are followed with the args' defaults and in *environment*, whether or not their conditions
     hold; those that stay unknown do not count.
     """
     files = files_of(workspace)
     ros = {package.name: package.ros for package in workspace.packages}
     launches: dict[str, LaunchFile] = {}
     loose: dict[str, LaunchFile] = {}
+    commands = commanded(workspace.files, workspace.text)
     for file in workspace.files:
-        if file.language != "launch" or file.path.endswith((".yaml", ".yml", ".py")):
+        is_named = file.language == "launch"
+        if file.path.endswith((".yaml", ".yml", ".py")) or file.language not in ("launch", "xml"):
             continue
-        if file.package is None and not is_loose_launch(file, workspace.packages, workspace.text(file.path)):
+        is_commanded = (not is_named or file.package is None) and commands.names(file)
+        if not is_named and not is_commanded:
+            continue
+        if file.package is None and not is_loose_launch(
+            file, workspace.packages, workspace.text(file.path), is_commanded=is_commanded
+        ):
             continue
         launch = load(file.path)
         if launch is not None and is_ros1(launch, ros.get(file.package or "")):

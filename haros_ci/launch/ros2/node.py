@@ -9,6 +9,7 @@ from dataclasses import replace
 
 from haros_ci.graph.remap_rules import written_rule
 from haros_ci.graph.ros2_process import from_arguments, ros_arguments
+from haros_ci.launch.ros2 import python_programs
 from haros_ci.launch.ros2.context import NAMESPACE, Context
 from haros_ci.launch.ros2.in_shells import commands
 from haros_ci.launch.ros2.parameter_files import Component, file_rules, missing
@@ -30,9 +31,11 @@ LOADING = frozenset(("load_controller", "load_start_controller", "load_configure
 TOOLS = {
     **dict.fromkeys((("bag", "play"), ("bag", "record")), "ros2bag"),
     **dict.fromkeys((("topic", command) for command in ("pub", "echo", "hz", "bw", "delay")), "ros2topic"),
+    ("service", "call"): "ros2service",
+    ("action", "send_goal"): "ros2action",
 }
 #: What ends the words of a command in a shell.
-_SHELL = regex(r"[;&|<>]|[12]>|.*;\Z")
+SHELL = regex(r"[;&|<>]|[12]>|.*;\Z")
 _Remaps = tuple[tuple[str, str, Location], ...]
 
 
@@ -89,8 +92,8 @@ def full_name(started: LaunchedNode) -> str:
 
 def processes(context: Context, action: Action, conditions: tuple[Condition, ...]) -> tuple[LaunchedNode, ...]:
     """The nodes that a process is, or starts: ``ros2 run package executable ...``, also in a line of a shell, or a package's executable by its path."""
-    cmd = _command(context, action)
-    every = (_process(context, action, conditions, cmd, words) for words in commands(_words(cmd.raw), _words))
+    cmd = command_of(context, action)
+    every = (_process(context, action, conditions, cmd, words) for words in commands(words_of(cmd.raw), words_of))
     return tuple(node for node in every if node is not None)
 
 
@@ -99,8 +102,8 @@ def _process(
 ) -> LaunchedNode | None:
     tool = TOOLS.get((words[1], words[2])) if words[:1] == ["ros2"] and len(words) > 2 else None
     if tool is not None:
-        words = words[: next((number for number, word in enumerate(words) if _SHELL.match(word)), None)]
-    started = _program(words) if tool is None else (tool, words[2], 3)
+        words = words[: next((number for number, word in enumerate(words) if SHELL.match(word)), None)]
+    started = _program(context, words) if tool is None else (tool, words[2], 3)
     if started is None:
         return None
     package, type_, count = started
@@ -122,7 +125,7 @@ def _process(
     )
 
 
-def _command(context: Context, action: Action) -> Text:
+def command_of(context: Context, action: Action) -> Text:
     """The words of a process; a program that is looked for by its name is that name."""
     phrase = action.get("cmd") or ()
     quote = phrase[:1] if phrase[:1] == ("'",) else ()  # of a description in Python, where it is one word
@@ -134,10 +137,10 @@ def _command(context: Context, action: Action) -> Text:
 
 def loading(context: Context, action: Action, conditions: tuple[Condition, ...]) -> LaunchedNode | None:
     """What ``ros2 control load_controller ...`` asks a controller manager for, of kind ``loading``; None for other commands."""
-    words = _words(_command(context, action).raw)
+    words = words_of(command_of(context, action).raw)
     if words[:2] != ["ros2", "control"] or len(words) < 3 or words[2] not in LOADING:
         return None
-    end = next((number for number, word in enumerate(words) if _SHELL.match(word)), len(words))
+    end = next((number for number, word in enumerate(words) if SHELL.match(word)), len(words))
     return LaunchedNode(
         kind="loading",
         package="controller_manager",
@@ -159,7 +162,7 @@ def _node_name(words: list[str]) -> str | None:
     return None
 
 
-def _program(words: list[str]) -> tuple[str, str, int] | None:
+def _program(context: Context, words: list[str]) -> tuple[str, str, int] | None:
     """Package and executable that *words* start, and how many of them say so; None for a program of no package.
 
     ``ros2 run`` finds what is in ``lib/<package>`` below the package's prefix; so does ExecutableInPackage.
@@ -172,9 +175,15 @@ def _program(words: list[str]) -> tuple[str, str, int] | None:
         return (words[start], words[start + 1], start + 2) if len(words) > start + 1 else None
     if words[:1] in (["gazebo"], ["gzserver"]) and any(word.startswith("libgazebo_ros_") for word in words):
         return "gazebo_ros", words[0], 1
-    if words[:1] in (["python3"], ["python"], ["/usr/bin/python3"]):
-        start = 1
+    if words[:1] and words[0] in python_programs.INTERPRETERS:
+        start = next((number for number, word in enumerate(words[1:], 1) if word not in python_programs.FLAGS), 1)
+    if start and words[start : start + 1] == ["-m"] and len(words) > start + 1:
+        module = python_programs.of_module(context.places, words[start + 1])
+        return (*module, start + 2) if module is not None else None
     match = _IN_PACKAGE.fullmatch(words[start]) if len(words) > start else None
+    if match is None and len(words) > start:
+        file = python_programs.of_file(context.places, words[start])
+        return (*file, start + 1) if file is not None else None
     return (match[1], match[2], start + 1) if match is not None else None
 
 
@@ -185,7 +194,7 @@ def split_arguments(text: str) -> tuple[str, str]:
     own: list[str] = []
     ros: list[str] = []
     within = False
-    for word in _words(text):
+    for word in words_of(text):
         if word == "--ros-args":
             within = True
         elif word == "--" and within:
@@ -199,7 +208,7 @@ def argument_rules(context: Context, text: str, location: Location) -> tuple[Par
     """The parameters of ROS arguments, in order; on the command line they stand before those of the launch file."""
     found: list[ParameterRule] = []
     flag = ""
-    for word in _words(text):
+    for word in words_of(text):
         if flag == "--params-file":
             path = unknown("a part of the path is not known") if MARK in word else literal(word)
             found.extend(file_rules(context, path, False, location))
@@ -211,7 +220,7 @@ def argument_rules(context: Context, text: str, location: Location) -> tuple[Par
     return tuple(found)
 
 
-def _words(text: str) -> list[str]:
+def words_of(text: str) -> list[str]:
     """*text* as a shell parts it; what stands for a directory is no place to part."""
     guarded = text.replace("$(find-pkg-share ", "$(find-pkg-share\ue001").replace(
         "$(find-pkg-prefix ", "$(find-pkg-prefix\ue001"
@@ -227,7 +236,7 @@ def _words(text: str) -> list[str]:
 def _line(words: list[str]) -> str:
     """*words* in a row, quoted where they need it to be parted again."""
     return " ".join(
-        word if word and _words(word) == [word] else "'" + word.replace("'", "'\"'\"'") + "'" for word in words
+        word if word and words_of(word) == [word] else "'" + word.replace("'", "'\"'\"'") + "'" for word in words
     )
 
 

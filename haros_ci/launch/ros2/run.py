@@ -11,6 +11,7 @@ from haros_ci.launch.ros2 import presences
 from haros_ci.launch.ros2.assuming import assume
 from haros_ci.launch.ros2.context import Context, GroupScope, LaunchBudgetExhausted
 from haros_ci.launch.ros2.including import include
+from haros_ci.launch.ros2.launching_processes import launched
 from haros_ci.launch.ros2.node import TOOLS, component, full_name, loading, node, processes
 from haros_ci.launch.ros2.settings import SETTERS, doubt, kept, name_of
 from haros_ci.launch.ros2.substitutions import truth_of
@@ -281,6 +282,7 @@ class LaunchEvaluation:
         self.context.facts.taken()
         every = processes(self.context, action, conditions)
         tools = [one for one in every if one.package in TOOLS.values() or one.type in ("gazebo", "gzserver")]
+        launched(self, action, conditions)
         self.nodes += (one if one in tools else ros2.started(self.context, one) for one in every)
         if len(tools) < len(every):
             return

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Recordings and command-line tools that a launch file starts: the topics that their command lines name.
+"""Recordings and command-line tools that a launch file starts: the topics, services and actions that their command lines name.
 
-rosbag and rostopic of ROS 1, ``ros2 bag`` and ``ros2 topic`` of ROS 2. What their entries in the data files say holds beside that.
+rosbag, rostopic and rosservice of ROS 1, ``ros2 bag``, ``topic``, ``service`` and ``action`` of ROS 2. What their entries in the data files say holds beside that.
 """
 
 from __future__ import annotations
@@ -19,13 +19,14 @@ from haros_ci.systems.known.text import Hole
 MOST = 1_000
 
 _TOPIC = regex(r"[~/]?[A-Za-z_][A-Za-z0-9_]*(?:/[A-Za-z_][A-Za-z0-9_]*)*")
-_TYPE = regex(r"[A-Za-z]\w*/(?:msg/)?[A-Za-z]\w*")
+_TYPE = regex(r"[A-Za-z]\w*/(?:(?:msg|srv|action)/)?[A-Za-z]\w*")
 _OPTION = regex(r"-(?:[A-Za-z-]|1\Z)")
 #: What a data file is asked for: its content as data, None if there is none.
 File = Callable[[str], object | None]
 
 _OF_BAG = "the recording decides"
 _OF_PUBLISHER = "whoever publishes decides"
+_OF_SERVER = "the service decides"
 _OF_LINE = "the command line tells it, and is not known"
 _CHOSEN = "its options tell which topics it records, and these depend on the running system"
 
@@ -158,6 +159,13 @@ def _rostopic_read(command: str, words: Sequence[str]) -> Iterator[KnownEndpoint
             yield _end("subscribers", name, "the topic decides")
 
 
+def _rosservice(words: Sequence[str], file: File | None) -> Iterator[KnownEndpoint]:
+    if not words or UNKNOWN in words[0]:
+        yield _end("clients", UNKNOWN, _OF_SERVER)
+    elif words[0] == "call":
+        yield _end("clients", (*parsed(words[1:], "--wait-timeout").words, UNKNOWN)[0], _OF_SERVER)
+
+
 # --- ROS 2
 
 
@@ -238,7 +246,9 @@ def _recorded(line: Line, file: File | None) -> dict[str, str] | None:
         name, kind = (topic.get("name"), topic.get("type")) if isinstance(topic, Mapping) else (None, None)
         if not isinstance(name, str) or not isinstance(kind, str):
             return None
-        if _TYPE.fullmatch(kind):  # services and actions have topics of their own, which are no topics to be played
+        if (
+            _TYPE.fullmatch(kind) and "/srv/" not in kind and "/action/" not in kind
+        ):  # services and actions have topics of their own, which are no topics to be played
             topics[name] = kind
     return topics
 
@@ -274,11 +284,20 @@ def _topic_echo(words: Sequence[str], file: File | None) -> Iterator[KnownEndpoi
     yield _of_line("subscribers", parsed(words, _TOPIC_VALUES), _OF_PUBLISHER)
 
 
+def _service_call(words: Sequence[str], file: File | None) -> Iterator[KnownEndpoint]:
+    yield _of_line("clients", parsed(words, _TOPIC_VALUES), _OF_LINE)
+
+
+def _send_goal(words: Sequence[str], file: File | None) -> Iterator[KnownEndpoint]:
+    yield _of_line("action_clients", parsed(words, "-t --timeout"), _OF_LINE)
+
+
 _TOOLS: Mapping[tuple[int, str, str], Callable[[Sequence[str], File | None], Iterator[KnownEndpoint]]] = {
     (1, "rosbag", "record"): _rosbag_record,
     (1, "rosbag", "play"): _rosbag_play,
     (1, "rosbag", "rosbag"): _rosbag,
     (1, "rostopic", "rostopic"): _rostopic,
+    (1, "rosservice", "rosservice"): _rosservice,
     (2, "ros2bag", "play"): _bag_play,
     (2, "ros2bag", "record"): _bag_record,
     (2, "ros2topic", "pub"): _topic_pub,
@@ -286,6 +305,8 @@ _TOOLS: Mapping[tuple[int, str, str], Callable[[Sequence[str], File | None], Ite
     (2, "ros2topic", "hz"): _topic_echo,
     (2, "ros2topic", "bw"): _topic_echo,
     (2, "ros2topic", "delay"): _topic_echo,
+    (2, "ros2service", "call"): _service_call,
+    (2, "ros2action", "send_goal"): _send_goal,
 }
 
 

@@ -14,7 +14,14 @@ from every import every
 from haros_ci.extract.apis.python_threads import EXECUTORS, POOLS, PROCESSES
 from haros_ci.model.api import Row, Template, load_row
 
-MODULES = ("ros2_rclpy", "ros2_rclpy_qos", "ros2_rclpy_libraries", "ros2_rclpy_navigator", "python_threads")
+MODULES = (
+    "ros2_rclpy",
+    "ros2_rclpy_qos",
+    "ros2_rclpy_libraries",
+    "ros2_rclpy_navigator",
+    "ros2_rclpy_smach",
+    "python_threads",
+)
 FORMS = [row for module in MODULES for row in import_module(f"haros_ci.extract.apis.{module}").ROWS]
 ROWS = [load_row(form) for form in FORMS]
 #: What variables of the calls below are.
@@ -424,6 +431,32 @@ CALLS = (
         "tf2_ros.buffer_client.BufferClient",
         "node, ns='s', check_frequency=1.0",
         "action_clients name=s type=tf2_msgs/action/LookupTransform namespace=node",
+    ),
+    # smach_ros.
+    ("smach_ros.ServiceState", "node, 's', SetBool", f"clients name=s type=SetBool {SERVICE} namespace=node"),
+    (
+        "smach_ros.SimpleActionState",
+        "node, 'a', Fibonacci, goal_cb=f",
+        "action_clients name=a type=Fibonacci namespace=node\ncalls f",
+    ),
+    ("smach_ros.MonitorState", "node, 't', String, f", "subscribers name=t type=String qos=1 namespace=node\ncalls f"),
+    ("smach_ros.ConditionState", "node, cond_cb=f", "calls f"),
+    *(
+        (f"smach_ros.{name}", "node, 'a', Fibonacci, sm", "action_servers name=a type=Fibonacci namespace=node")
+        for name in ("ActionServerWrapper", "action_server_wrapper.ActionServerWrapper")
+    ),
+    *(
+        (f"smach_ros.{name}", "'s', sm, '/'", "node name=s\nfills server=s")
+        for name in ("IntrospectionServer", "introspection.IntrospectionServer")
+    ),
+    (
+        "smach_ros.IntrospectionServer.start",
+        "",
+        (
+            "publishers name=this.server/smach/container_status type=smach_msgs/msg/SmachContainerStatus qos=1\n"
+            "publishers name=this.server/smach/container_structure type=smach_msgs/msg/SmachContainerStructure qos=1\n"
+            "subscribers name=this.server/smach/container_init type=smach_msgs/msg/SmachContainerInitialStatusCmd qos=1"
+        ),
     ),
     # image_transport_py, diagnostic_updater, interactive_markers, bondpy.
     ("moveit.planning.MoveItPy", "node_name='n'", "node name=n options=declaring"),
