@@ -22,6 +22,7 @@ from haros_ci.linters.cppcheck_uses import (
     is_read_checked,
 )
 from haros_ci.linters.cppcheck_ways import OF_WAYS, ends_process, is_list_of_values, sets_nothing
+from haros_ci.linters.scanned_texts import is_large_enough
 from haros_ci.regex import regex
 from haros_ci.results.code_alone import code_alone
 from haros_ci.results.scope import scopes
@@ -107,6 +108,8 @@ def is_refuted(rule: str, message: str, line: int, whole: str) -> bool:  # noqa:
     """
     if rule == "wrongfeofUsage":  # by the text of a format, too
         return is_read_checked(line, whole)
+    if rule == "invalidscanf":
+        return is_large_enough(line, whole)
     text = code_alone(whole, "c")
     if rule == "assignBoolToPointer" and has_no_truth_value(_line(text, line)):
         return True

@@ -6,8 +6,8 @@ from __future__ import annotations
 import re
 
 from haros_ci.linters.cppcheck_returns import copies_what_it_returns
+from haros_ci.linters.function_text import function_text
 from haros_ci.regex import regex
-from haros_ci.results.scope import scopes
 
 OF_LIFETIMES = frozenset({"danglingLifetime", "returnDanglingLifetime", "selfAssignment"})
 #: ``Non-local variable 'handle' will use pointer to local variable 'name'.``
@@ -79,7 +79,7 @@ def may_be_alive(rule: str, message: str, line: int, text: str) -> bool:
         if points is not None and _is_moved(points[1], lines[line - 1]):
             return True
         owned, outer = _OWNED.search(message), _OUTER.search(message)
-        here = _function(line, text)
+        here = function_text(line, text)
         if owned is not None and _is_given_on(owned[1], here):
             return True
         if outer is not None and re.search(_CONSTANT.format(name=outer[1]), here.partition("{")[0]):
@@ -131,18 +131,6 @@ def _is_given_on(local: str, function: str) -> bool:
         return True
     is_shared = re.search(_SHARED.format(name=local), function) is not None
     return is_shared and re.search(_COPIED.format(name=local), function) is not None
-
-
-def _function(line: int, text: str) -> str:
-    """The text of the function around *line*, with its head; "" outside of any."""
-    inside = scopes(text, "cpp")
-    name, lines = inside.at(line), text.split("\n")
-    first, last = line, line
-    while name and first > 1 and inside.at(first - 1) == name:
-        first -= 1
-    while name and last < len(lines) and inside.at(last + 1) == name:
-        last += 1
-    return "\n".join(lines[first - 1 : last]) if name else ""
 
 
 def _is_of_a_view(local: str, near: str) -> bool:
