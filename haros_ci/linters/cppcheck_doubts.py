@@ -22,6 +22,7 @@ from haros_ci.linters.cppcheck_uses import (
     is_read_checked,
 )
 from haros_ci.linters.cppcheck_ways import OF_WAYS, ends_process, is_list_of_values, sets_nothing
+from haros_ci.linters.moved_values import is_copied_by_move
 from haros_ci.linters.scanned_texts import is_large_enough
 from haros_ci.regex import regex
 from haros_ci.results.code_alone import code_alone
@@ -114,6 +115,8 @@ def is_refuted(rule: str, message: str, line: int, whole: str) -> bool:  # noqa:
     if rule == "assignBoolToPointer" and has_no_truth_value(_line(text, line)):
         return True
     if rule in OF_LIFETIMES and may_be_alive(rule, message, line, text):
+        return True
+    if rule == "accessMoved" and is_copied_by_move(message, line, text):
         return True
     if rule == "selfInitialization" and is_of_parameter(message, line, text):
         return True

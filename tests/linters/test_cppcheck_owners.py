@@ -135,3 +135,37 @@ def test_a_parameter_initializes_the_member(text: str, line: int) -> None:
 )
 def test_a_member_initializes_itself(text: str, line: int) -> None:
     assert not is_refuted("selfInitialization", ITSELF, line, text)
+
+
+GONE = "Access of moved variable 'force'."
+
+
+@pytest.mark.parametrize(
+    ("declared", "expected"),
+    [
+        ("blaze::StaticVector<double, 5UL> force, last, start;", True),
+        ("blaze::StaticVector<double, 5UL> last, start, force;", True),
+        ("Eigen::Vector3d force(0, 0, 0);", True),
+        ("Vector4f force = start();", True),
+        ("Eigen::Matrix<double, 6, 1> force;", True),
+        ("std::array<double, 3> force{};", True),
+        ("cv::Point2f force;", True),
+        ("tf2::Vector3 force;", True),
+        ("Eigen::VectorXd force;", False),
+        ("Eigen::Matrix<double, Eigen::Dynamic, 1> force;", False),
+        ("blaze::DynamicVector<double> force;", False),
+        ("std::vector<double> force;", False),
+        ("std::array<std::string, 3> force;", False),
+        ("std::unique_ptr<Eigen::Vector3d> force;", False),
+        ("std::vector<Eigen::Vector3d> force;", False),
+        ("Eigen::Vector3d forces;", False),
+        ("// Eigen::Vector3d force;", False),
+        ("auto force = start();", False),
+        ("cv::Mat force;", False),
+    ],
+)
+def test_what_a_move_copies(declared: str, expected: bool) -> None:
+    text = function(f"  {declared}\n  last = std::move(force);\n  return last - force;\n")
+    assert is_refuted("accessMoved", GONE, 5, text) is expected
+    other = function(f"  {declared}\n") + function("  last = std::move(force);\n  return force;\n", "void Pool::drop()")
+    assert not is_refuted("accessMoved", GONE, 8, other)
