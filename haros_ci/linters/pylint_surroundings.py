@@ -144,7 +144,7 @@ def _is_of_another_module(path: str, line: int, workspace: Workspace) -> bool:
     if _is_of_directory(path, line, workspace):
         return True
     beside = f"{folder}/{folder.rpartition('/')[2]}.py"
-    return name == "__init__.py" and beside in workspace.names and _is_python2(path, workspace)
+    return name == "__init__.py" and beside in workspace.names and _is_python2_around(path, workspace)
 
 
 def _is_of_directory(path: str, line: int, workspace: Workspace) -> bool:
@@ -203,8 +203,10 @@ def _is_python2_around(path: str, workspace: Workspace) -> bool:
 
 
 def _is_of_old_ros(text: str, texts: Iterable[str], workspace: Workspace) -> bool:
-    """Whether the file asks for `python`, which is Python 2 up to Melodic, and nothing of the workspace names Python 3 or a distribution that has it."""
-    if not _PLAIN.match(text) or any(map(names_python3, texts)):
+    """Whether the file, or if it asks for none another one, asks for `python`, which is Python 2 up to Melodic, and nothing of the workspace names Python 3 or a distribution that has it."""
+    texts = tuple(texts)
+    asks = _PLAIN.match(text) or (not text.startswith("#!") and any(map(_PLAIN.match, texts)))
+    if not asks or any(map(names_python3, texts)):
         return False
     pages = [name for name in sorted(workspace.names) if _PAGE.search(name)][:_MOST_FILES]
     return not any(_OF_NEW_ROS.search(workspace.text(page)) for page in pages)
