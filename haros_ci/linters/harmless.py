@@ -117,11 +117,11 @@ def _joints(text: str, line: int) -> Iterator[tuple[str, str]]:
 
 def _is_surplus_nothing(message: str, line: int, text: str) -> bool:
     """Whether what printf() is given beyond its format is NULL: C evaluates it, and does not look at it ("fprintf", 7.21.6.1 of the standard)."""
-    said = _SURPLUS.search(message)
-    given = _given(said[1], line, text) if said is not None else []
-    if said is None or len(given) <= int(said[3]) - int(said[2]):
+    counted = _SURPLUS.search(message)
+    given = _given(counted[1], line, text) if counted is not None else []
+    if counted is None or len(given) <= int(counted[3]) - int(counted[2]):
         return False
-    surplus = int(said[3]) - int(said[2])
+    surplus = int(counted[3]) - int(counted[2])
     return surplus > 0 and all(one.strip() in _NOTHING for one in given[-surplus:])
 
 
