@@ -51,7 +51,7 @@ _MAKERS = tuple(
         (r"robotiq_\w+", r"@robotiq\.com"),
         (r"zed_\w+|zed-ros-\w+|rviz[-_]plugin[-_]zed[-_]\w+", r"@stereolabs\.com"),
         (r"ublox_msg_filters", r"@dataspeedinc\.com"),
-        (r"(?:xarm|uf)_\w+", r"@ufactory\.cc|vinman\.cub@"),
+        (r"(?:xarm|uf)_\w+", r"@ufactory\.cc"),
         (r"phantom_omni", r"@danepowell\.com"),
         (r"ros2_control_demo_\w+|ros2_control_test_nodes", r"@stoglrobotics\.|bence\.magyar"),
         (r"ur_\w+", r"@fzi\.de|@universal-robots\.com"),
