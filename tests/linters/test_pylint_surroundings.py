@@ -513,6 +513,10 @@ def imports_another(root: Path, files: dict[str, str], path: str) -> bool:
         ("a/src/one/__init__.py", {"a/src/one/__init__.py": OF_ITSELF, **WITH_ITS_NAME}),
         ("a/src/one/__init__.py", {"a/src/one/__init__.py": PLAIN + OF_ITSELF, "a/src/one/one.py": ""}),
         ("a/src/one/__init__.py", {"a/src/one/__init__.py": OF_ITSELF, "a/src/one/one.py": "", "a/bin/two.py": PLAIN}),
+        (
+            "a/scripts/one.py",
+            {"a/scripts/one.py": OF_ITSELF + "roslib.load_manifest('one')\n", "a/src/one/__init__.py": ""},
+        ),
         ("a/launch/one.py", {"a/launch/one.py": OF_ITSELF + "def generate_launch_description():\n    return one()\n"}),
         ("a/one/one.py", {"a/one/one.py": "from one import other\n", "a/one/other.py": ""}),
         (
@@ -529,6 +533,8 @@ def test_an_import_of_another_module_of_that_name(tmp_path: Path, path: str, fil
     ("path", "files"),
     [
         ("a/src/one.py", {"a/src/one.py": OF_ITSELF}),
+        ("a/scripts/one.py", {"a/scripts/one.py": OF_ITSELF, "a/src/one/__init__.py": ""}),
+        ("a/scripts/one.py", {"a/scripts/one.py": OF_ITSELF + "roslib.load_manifest('one')\n"}),
         ("a/src/one/__init__.py", {"a/src/one/__init__.py": OF_ITSELF, "a/src/one/other.py": ""}),
         ("a/src/one/__init__.py", {"a/src/one/__init__.py": OF_ITSELF, "a/src/one/one.py": ""}),
         ("a/src/one/__init__.py", {"a/src/one/__init__.py": PLAIN + OF_ITSELF}),
