@@ -17,6 +17,7 @@ from haros_ci.config.settings import Settings
 from haros_ci.linters import pylint, values
 from haros_ci.linters.doubting import Doubting
 from haros_ci.linters.given_names import is_extra_script
+from haros_ci.linters.harmless import with_harmless
 from haros_ci.linters.idle_python import with_idle_python
 from haros_ci.linters.in_default import IN_TESTS, is_idle, is_of_linter, is_test
 from haros_ci.linters.linter import REFUTED, SILENCED, LintOptions, When
@@ -119,7 +120,7 @@ def with_silenced(runs: Iterable[Run], workspace: Workspace, selection: Selectio
 
 
 def with_names(results: Iterable[Result], workspace: Workspace, selection: Selection) -> tuple[Result, ...]:
-    """*results*, undefined names weighed (:func:`haros_ci.linters.undefined_names.weighed_names`), and what is said of Python that nothing runs as notes."""
+    """*results*, undefined names weighed (:func:`haros_ci.linters.undefined_names.weighed_names`), and as notes what is said of Python that nothing runs, and what changes nothing."""
     versions = {package.name: package.ros for package in workspace.packages}
     every = set(versions.values())
     of_all = 1 if every == {1} else 0  # what lies in no package of a workspace of ROS 1 alone
@@ -135,11 +136,12 @@ def with_names(results: Iterable[Result], workspace: Workspace, selection: Selec
         is_extra=lambda path: is_extra_script(path, workspace.names.__contains__, workspace.text),
         is_translated=cache(lambda: any(map(uses_gettext, map(workspace.text, python)))),
     )
-    return with_idle_python(
-        weighed_results,
-        workspace,
-        is_given=lambda result: selection.is_asked_for(result.tool, result.rule, result.location.path),
-    )
+
+    def is_asked_for(result: Result) -> bool:
+        return selection.is_asked_for(result.tool, result.rule, result.location.path)
+
+    results = with_idle_python(weighed_results, workspace, is_given=is_asked_for)
+    return with_harmless(results, workspace.text, is_given=is_asked_for)
 
 
 def worth_reporting(

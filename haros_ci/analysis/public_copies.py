@@ -40,7 +40,7 @@ _MAKERS = tuple(
         (r"livox_(?:ros2?_driver2?|interfaces\d?)", r"@livoxtech\.com"),
         (r"lslidar_\w+", r"@lslidar\.com|tongsky723@sina\.com|yutongyan@lidar\.com"),
         (r"rslidar(?:_sdk|_msgs?|_driver|_pointcloud)?", r"@robosense\.cn"),
-        (r"ydlidar_ros2?_driver", r"@ydlidar\.com"),
+        (r"ydlidar(?:_ros2?_driver)?", r"@ydlidar\.com|@eaibot\.com"),
         (r"nvilidar_ros2?", r"@nvistar\.com"),
         (r"(?:astra_camera|orbbec_camera|orbbec_description)(?:_msgs)?", r"@orbbec\.com|jian\.dong@pobox\.com"),
         (r"rf2o_laser_odometry", r"jgmonroy@uma\.es"),

@@ -22,7 +22,8 @@ from haros_ci.linters import (
 )
 from haros_ci.linters.catalogue.cppcheck import UNSURE
 from haros_ci.linters.compiled_language import compiled_as_cpp
-from haros_ci.linters.cppcheck_doubts import is_refuted, self_initialized_line
+from haros_ci.linters.cppcheck_doubts import is_refuted
+from haros_ci.linters.cppcheck_initializers import self_initialized_line
 from haros_ci.linters.cppcheck_steps import is_never_so
 from haros_ci.linters.doubting import Doubting
 from haros_ci.linters.linter import Batch, Command, Finding, GaveUp, LintOptions, Output, Program, Unit, When, refuted

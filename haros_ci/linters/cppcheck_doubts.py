@@ -9,6 +9,7 @@ from functools import lru_cache
 
 from haros_ci.linters.constant_switches import is_switched_by_hand
 from haros_ci.linters.cppcheck_conditions import OF_VALUES, has_large_constant, is_of_switches, is_spelled_out
+from haros_ci.linters.cppcheck_initializers import is_of_parameter
 from haros_ci.linters.cppcheck_lifetimes import OF_LIFETIMES, is_text_of_message, may_be_alive
 from haros_ci.linters.cppcheck_registers import OF_FIRMWARE, is_of_firmware
 from haros_ci.linters.cppcheck_uses import (
@@ -21,6 +22,8 @@ from haros_ci.linters.cppcheck_uses import (
     is_read_checked,
 )
 from haros_ci.linters.cppcheck_ways import OF_WAYS, ends_process, is_list_of_values, sets_nothing
+from haros_ci.linters.moved_values import is_copied_by_move
+from haros_ci.linters.scanned_texts import is_large_enough
 from haros_ci.regex import regex
 from haros_ci.results.code_alone import code_alone
 from haros_ci.results.scope import scopes
@@ -106,10 +109,16 @@ def is_refuted(rule: str, message: str, line: int, whole: str) -> bool:  # noqa:
     """
     if rule == "wrongfeofUsage":  # by the text of a format, too
         return is_read_checked(line, whole)
+    if rule == "invalidscanf":
+        return is_large_enough(line, whole)
     text = code_alone(whole, "c")
     if rule == "assignBoolToPointer" and has_no_truth_value(_line(text, line)):
         return True
     if rule in OF_LIFETIMES and may_be_alive(rule, message, line, text):
+        return True
+    if rule == "accessMoved" and is_copied_by_move(message, line, text):
+        return True
+    if rule == "selfInitialization" and is_of_parameter(message, line, text):
         return True
     if rule in OF_FIRMWARE and is_of_firmware(rule, _line(text, line), text):
         return True
@@ -302,17 +311,6 @@ def _enumerators(name: str, text: str) -> set[str]:
     found = re.findall(rf"\benum\s+(?:class\s+|struct\s+)?{name}\b[^{{}};]{{0,100}}\{{([^{{}}]{{0,20000}})\}}", text)
     parts = [part.partition("=")[0].split() for part in found[0].split(",")] if len(found) == 1 else []
     return {words[0] for words in parts if words}
-
-
-def self_initialized_line(message: str, line: int, text: str) -> int:
-    """The line of the initializer that *message* names; cppcheck gives the place of what stands before it."""
-    name = _SUBJECT.search(message)
-    lines = text.split("\n")
-    if name and name[1] and 0 < line < len(lines):
-        initializer = re.compile(rf"\b{re.escape(name[1])}\s*[({{]\s*{re.escape(name[1])}\b")
-        if not initializer.search(lines[line - 1]) and initializer.search(lines[line]):
-            return line + 1
-    return line
 
 
 def _commented_out(line: int, text: str) -> Iterator[str]:

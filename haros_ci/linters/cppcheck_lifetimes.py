@@ -6,6 +6,7 @@ from __future__ import annotations
 import re
 
 from haros_ci.linters.cppcheck_returns import copies_what_it_returns
+from haros_ci.linters.function_text import function_text
 from haros_ci.regex import regex
 
 OF_LIFETIMES = frozenset({"danglingLifetime", "returnDanglingLifetime", "selfAssignment"})
@@ -28,6 +29,24 @@ _OF_MESSAGE = rf"(?:\b\w+::(?:msg|srv|action)::\w+\s*(?:[&*]\s*)?{{name}}\b|{_GE
 _GIVEN = regex(r"\b([A-Za-z_]\w*)(?:(?:\.|->)\w{1,60}){1,6}\s*=(?!=)[^;{}=]{1,600}\.\s*(?:c_str|data)\s*\(\s*\)\s*;")
 _WORD = regex(r"[A-Za-z_]\w*")
 _LONGEST = 400
+#: ``Non-local variable 'view.first' will use pointer to local variable 'task'.``
+_OWNED = regex(r"will use (?:pointer to|object that points to) local variable '([A-Za-z_]\w*)'")
+#: ``Non-local variable 'path' will use …``
+_OUTER = regex(r"[Vv]ariable '([A-Za-z_]\w*)' will use")
+_SMART = (
+    r"\b(?:unique_ptr|shared_ptr|UniquePtr|SharedPtr|\w+Ptr)\b(?:\s*<[^;{{}}]{{0,300}}>)?\s*(?:&&?\s*)?{name}\s*[=;({{,)]"
+    r"|\bauto\s+{name}\s*=\s*[^;]{{0,60}}\b(?:make_unique|make_shared|allocate_shared)\b"
+)
+#: That somebody else has the object from there on; of a copy only where the pointer is a shared one.
+_GIVEN_ON = r"\bmove\s*\(\s*{name}\s*\)|\b{name}\s*\.\s*release\s*\(|\breturn\s+{name}\s*;"
+_SHARED = r"\b(?:make_shared|allocate_shared|shared_ptr|SharedPtr|(?!Unique)\w+Ptr)\b[^;]{{0,300}}\b{name}\b|\b{name}\s*=[^;]{{0,60}}_shared\b"
+_COPIED = (
+    r"(?:\.|->)\s*(?:push_back|emplace_back|push_front|push|insert|emplace|add\w*)\s*\([^;]{{0,300}}\b{name}\s*[,)}}]"
+    r"|[\w\])]\s*=\s*{name}\s*;"
+)
+#: The pointer itself, which ends with the function.
+_ITS_PLACE = r"(?<!&)&\s*{name}\b(?!\s*(?:->|\.))"
+_CONSTANT = r"\bconst\b[^,;(){{}}=]{{0,200}}&\s*{name}\s*[,)=]|\b\w+\s+const\s*&\s*{name}\s*[,)=]"
 _ITSELF = regex(r"assignment of '([^']{1,80})' to itself")
 #: Functions of the standard library that give back what they are given, or what points to it.
 _PASSING = frozenset(
@@ -42,7 +61,8 @@ def may_be_alive(rule: str, message: str, line: int, text: str) -> bool:
     """Whether what cppcheck says by *rule* at *line* of *text* rests on what it cannot know, or is meant.
 
     It takes what any function returns for a pointer to its arguments, a handle of a C library too, and what a member of a local object points to
-    for a part of that object; it does not see that a lambda returns a text of its own; and a branch that leaves a variable as it is may say so.
+    for a part of that object; it does not see that a lambda returns a text of its own, nor that somebody else has the owner of an object from
+    there on; in functions that call themselves it takes a constant reference for one that is set; and a branch that leaves a variable as it is may say so.
     """
     lines = text.split("\n")
     if not 0 < line <= len(lines):
@@ -57,6 +77,12 @@ def may_be_alive(rule: str, message: str, line: int, text: str) -> bool:
         if owner is not None and re.search(_GENERATED.format(name=owner[1]), near):
             return True
         if points is not None and _is_moved(points[1], lines[line - 1]):
+            return True
+        owned, outer = _OWNED.search(message), _OUTER.search(message)
+        here = function_text(line, text)
+        if owned is not None and _is_given_on(owned[1], here):
+            return True
+        if outer is not None and re.search(_CONSTANT.format(name=outer[1]), here.partition("{")[0]):
             return True
         return kept is not None and _is_returned_by_a_call(kept[1], kept[2], near, text)
     returned = _RETURNED.search(message)
@@ -95,6 +121,16 @@ def _is_moved(local: str, line: str) -> bool:
     return re.search(rf"\b{local}\s*\.\s*get\s*\(\s*\)", line) is not None and (
         re.search(rf"\bstd\s*::\s*move\s*\(\s*{local}\s*\)", line) is not None
     )
+
+
+def _is_given_on(local: str, function: str) -> bool:
+    """Whether *local* is a pointer that owns what is pointed to, and is given to somebody else in the *function*: the object lives on."""
+    if re.search(_SMART.format(name=local), function) is None or re.search(_ITS_PLACE.format(name=local), function):
+        return False
+    if re.search(_GIVEN_ON.format(name=local), function) is not None:
+        return True
+    is_shared = re.search(_SHARED.format(name=local), function) is not None
+    return is_shared and re.search(_COPIED.format(name=local), function) is not None
 
 
 def _is_of_a_view(local: str, near: str) -> bool:

@@ -7,6 +7,7 @@ import re
 from collections.abc import Callable, Sequence
 
 from haros_ci.linters.cppcheck_indices import OF_INDICES, Step, is_multiple, is_searched
+from haros_ci.linters.left_loops import is_left
 from haros_ci.regex import regex
 from haros_ci.results.code_alone import code_alone
 from haros_ci.results.scope import scopes
@@ -48,6 +49,8 @@ def is_never_so(rule: str, message: str, steps: Sequence[Step], text: Callable[[
         return is_multiple(line, code(path)) or is_searched(steps, code)
     if rule == "nullPointer":
         return any(_is_set_by_method(step, steps[0], code) for step in steps[1:])
+    if rule == "invalidContainerLoop" and len(steps) > 1:
+        return is_left(message, steps[0], steps[1], code(path))
     if rule == "zerodiv":
         return _is_on_purpose(steps, code)
     if rule in _OF_TWO_CONDITIONS and len(steps) > 1 and steps[1][0] == path:

@@ -14,7 +14,7 @@ from haros_ci.regex import regex
 from haros_ci.results.result import Result
 
 _IMPORTED = regex(
-    r"^[ \t]*(?:from[ \t]+([A-Za-z_]\w*)[ \t]+import\b|import[ \t]+([A-Za-z_][\w, \t]{0,300}))", re.MULTILINE
+    r"^[ \t]*(?:from[ \t]+([A-Za-z_][\w.]*)[ \t]+import\b|import[ \t]+([A-Za-z_][\w, \t]{0,300}))", re.MULTILINE
 )
 _ARGUMENT = regex(r"argument '(\w+)'")
 _CALLED = regex(r"[\w.]+")
@@ -48,8 +48,10 @@ def _doubles(path: str, text: str, workspace: Workspace) -> Iterator[str]:
     for found in _IMPORTED.finditer(text):
         for word in (found[1] or found[2]).split(","):
             module = word.split()[0] if word.split() else ""
-            name = f"{folder}{module}.py"
-            others = _modules(workspace.names).get(module, ()) if name in workspace.names else ()
+            end = f"{module.replace('.', '/')}.py"
+            name = f"{folder}{end}"
+            others = _modules(workspace.names).get(module.rpartition(".")[2], ()) if name in workspace.names else ()
+            others = tuple(other for other in others if f"/{other}".endswith(f"/{end}"))
             if any(workspace.text(other) != workspace.text(name) for other in others):
                 yield name
 

@@ -20,12 +20,15 @@ RULES = frozenset(
     """
     accessMoved arrayIndexOutOfBounds arrayIndexOutOfBoundsCond containerOutOfBounds containerOutOfBoundsIndexExpression
     danglingLifetime danglingReference danglingTemporaryLifetime deallocuse derefInvalidIterator derefInvalidIteratorRedundantCheck eraseDereference
-    invalidContainer legacyUninitvar
+    invalidContainer legacyUninitvar memleak resourceLeak sprintfOverlappingData
     negativeContainerIndex negativeIndex nullPointer nullPointerArithmetic nullPointerOutOfMemory
     nullPointerRedundantCheck uninitdata
     uninitStructMember uninitvar zerodiv zerodivcond
     """.split()
 )
+
+#: Rules that speak once of each variable that leaks where a function is left, and at each such place.
+OF_LEAKS = frozenset(("memleak", "resourceLeak"))
 
 #: Rules that speak once of each argument of a call, each name of an import, or each backslash of a string: those of one line have one cause.
 OF_A_LINE = frozenset(
@@ -247,6 +250,8 @@ def _groups(found: Sequence[Result], indexes: list[int], text: str) -> Iterator[
         scope = inside.at(result.location.line or 0)
         marks: list[object] = [(scope, "name", name) for pair in _NAME.findall(result.message) for name in pair if name]
         marks += [(scope, near.location.path, near.location.line) for near in result.related if near.location.line]
+        if result.rule in OF_LEAKS:
+            marks.append((scope, "line", result.location.line))
         for mark in marks if scope else ():
             group_of[find(i)] = find(heads.setdefault(mark, i))
     groups: dict[int, list[int]] = defaultdict(list)

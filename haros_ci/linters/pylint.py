@@ -146,7 +146,7 @@ def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
         file, rule = files.get(report["path"]), report["symbol"]
         if file is None or rule in ABOUT_OPTIONS or file.path in silenced:
             continue
-        if rule == "syntax-error" and report["message"].startswith("Cannot import "):
+        if rule == "syntax-error" and _is_of_import(report, batch.workspace.text(file.path)):
             continue  # pylint reports it for the imported file
         if rule == "syntax-error" and _is_of_another_python(batch.workspace.text(file.path), report):
             silenced.add(file.path)
@@ -159,6 +159,11 @@ def parse(output: Output, batch: Batch) -> Iterator[Finding | GaveUp]:
             result = _result(file.path, report)
             is_quiet = is_silenced(rule, batch.workspace.text(file.path), report["line"])
             yield Finding(file.path, _told_as_silenced(result) if is_quiet else result)
+
+
+def _is_of_import(report: Any, text: str) -> bool:
+    """Whether a syntax error is in what the file imports: a script ``monitor`` and ``monitor.py`` are one module to pylint."""
+    return report["message"].startswith("Cannot import ") or (report["line"] or 0) > text.count("\n") + 1
 
 
 def _told_as_silenced(result: Result) -> Result:

@@ -26,7 +26,7 @@ from haros_ci.linters.pylint_idioms import (
     is_to_fail,
     is_unpacked,
 )
-from haros_ci.linters.pylint_names import is_counted_up, is_deleted_global
+from haros_ci.linters.pylint_names import is_counted_up, is_deleted_global, is_set_by_main
 from haros_ci.linters.pylint_statements import (
     gives_names,
     has_items,
@@ -43,6 +43,7 @@ from haros_ci.linters.pylint_statements import (
 )
 from haros_ci.linters.python2 import runs_only_on_python2
 from haros_ci.linters.python_defaults import is_only_read
+from haros_ci.linters.several_classes import is_of_several_classes
 from haros_ci.regex import regex
 from haros_ci.results.code_alone import code_alone
 from haros_ci.results.overwritten import is_overwritten, is_used_before
@@ -126,7 +127,7 @@ def is_refuted(rule: str, line: int, column: int, text: str) -> bool:  # noqa: C
     code = code_alone(text, "python")
     if rule in _OF_VALUES and (takes_value(text, line) or is_product(code, line, column)):
         return True
-    if rule in _OF_CALLS and is_to_fail(text, line):
+    if rule in _OF_CALLS and (is_to_fail(text, line) or is_of_several_classes(text, line, column)):
         return True
     if rule in _RAISED and is_overwritten(text, line):
         return True
@@ -160,7 +161,7 @@ def is_refuted(rule: str, line: int, column: int, text: str) -> bool:  # noqa: C
         return _is_tested(code, line, column) or is_left_to_subclasses(code, line, column)
     if rule in ("undefined-variable", "used-before-assignment"):
         is_global = _is_global_of_main(code, line, column) or is_deleted_global(text, line, column)
-        return is_global or is_counted_up(text, line)
+        return is_global or is_counted_up(text, line) or is_set_by_main(text, line, column)
     if rule == "possibly-used-before-assignment":
         return _is_of_main(code, line, column) or _is_module(code, line, column) or _is_of_platforms(code, line, column)
     if rule == "deprecated-module":

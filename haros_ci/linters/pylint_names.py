@@ -11,6 +11,7 @@ from haros_ci.linters.pylint_idioms import nodes
 from haros_ci.regex import regex
 
 _SCOPES = (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)
+_FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef)
 _NAME = regex(r"[A-Za-z_]\w*")
 
 
@@ -58,3 +59,39 @@ def _deleted_globals(text: str) -> frozenset[str]:
                 if isinstance(use, ast.Name) and use.id in stated and not isinstance(use.ctx, ast.Load):
                     (were_set if isinstance(use.ctx, ast.Store) else deleted).add(use.id)
     return frozenset(were_set & deleted)
+
+
+def is_set_by_main(text: str, line: int, column: int) -> bool:
+    """Whether the name there is a global one that another function sets for certain, which the program begins with: ``main()``, or one that the module calls.
+
+    Pylint does not take a ``global`` statement of a function for a definition where the module itself has none.
+    """
+    used = _NAME.match(text.split("\n")[line - 1], column) if 0 < line <= text.count("\n") + 1 else None
+    tree = next(iter(nodes(text)), None) if used is not None and "global" in text else None
+    if used is None or not isinstance(tree, ast.Module):
+        return False
+    called = {
+        node.func.id
+        for one in tree.body
+        if not isinstance(one, _SCOPES)
+        for node in own_nodes([one])
+        if isinstance(node, ast.Call) and isinstance(node.func, ast.Name)
+    }
+    first = [
+        one
+        for one in tree.body
+        if isinstance(one, _FUNCTIONS) and (one.name == "main" or one.name in called) and _sets(one, used[0])
+    ]
+    inside = [one for one in tree.body if one.lineno <= line <= (one.end_lineno or 0)]
+    return bool(first) and bool(inside) and isinstance(inside[0], _SCOPES) and inside[0] not in first
+
+
+def _sets(function: ast.FunctionDef | ast.AsyncFunctionDef, name: str) -> bool:
+    """Whether *function* says that *name* is global, and sets it in a statement of its own that no branch or loop decides on."""
+    own = [*own_nodes(ast.iter_child_nodes(function))]
+    return any(isinstance(node, ast.Global) and name in node.names for node in own) and any(
+        isinstance(target, ast.Name) and target.id == name
+        for one in function.body
+        if isinstance(one, ast.Assign)
+        for target in one.targets
+    )

@@ -12,7 +12,7 @@ from typing import TypeGuard
 
 from haros_ci.linters.pylint_idioms import nodes
 from haros_ci.regex import regex
-from haros_ci.results.python_nodes import is_same
+from haros_ci.results.python_nodes import dotted, is_same
 
 #: An operand; what NumPy 2 declares as functions that return their own arguments, as C does the work.
 _OPERAND = regex(r"[-+~ \t(]*([A-Za-z_]\w*(?:\.\w+)*)")
@@ -202,13 +202,15 @@ def is_index_of_array(text: str, line: int, column: int) -> bool:
     """
     if "numpy" not in text:
         return False
-    names: set[str] = set()
+    names: set[str] = set()  # of modules, and of functions by themselves
     given: set[str] = set()
     for node in nodes(text):
         if isinstance(node, ast.Import):
             names.update(
                 (alias.asname or alias.name) for alias in node.names if alias.name.partition(".")[0] == "numpy"
             )
+        elif isinstance(node, ast.ImportFrom) and (node.module or "").partition(".")[0] == "numpy":
+            names.update((alias.asname or alias.name) for alias in node.names)
         elif isinstance(node, ast.Assign) and _is_called_on(node.value, names):
             given.update(
                 inner.id for target in node.targets for inner in ast.walk(target) if isinstance(inner, ast.Name)
@@ -226,13 +228,8 @@ def is_index_of_array(text: str, line: int, column: int) -> bool:
 
 
 def _is_called_on(node: ast.AST, names: set[str]) -> bool:
-    """Whether *node* is a call of an attribute of one of *names*."""
-    return (
-        isinstance(node, ast.Call)
-        and isinstance(node.func, ast.Attribute)
-        and isinstance(node.func.value, ast.Name)
-        and node.func.value.id in names
-    )
+    """Whether *node* is a call of one of *names*, or of an attribute of one."""
+    return isinstance(node, ast.Call) and dotted(node.func).partition(".")[0] in names
 
 
 def _is_super(node: ast.AST) -> TypeGuard[ast.Call]:

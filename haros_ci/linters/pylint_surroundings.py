@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Messages of pylint that other files refute: how a method is called, or that nothing calls it, which of two modules of one name is
-imported, and of which Python a package is."""
+"""Messages of pylint that other files refute: how a method is called, which of two modules of one name is imported, and of which Python a package is."""
 
 from __future__ import annotations
 
@@ -141,10 +140,13 @@ def _is_of_another_module(path: str, line: int, workspace: Workspace) -> bool:
         return True
     if "def generate_launch_description" in workspace.text(path):
         return True  # launch loads it by its path, which brings no directory
+    end = f"/{name[:-3]}/__init__.py"
+    if "roslib.load_manifest(" in workspace.text(path) and any(f"/{one}".endswith(end) for one in workspace.names):
+        return True  # which puts the directories of packages before that of the script
     if _is_of_directory(path, line, workspace):
         return True
     beside = f"{folder}/{folder.rpartition('/')[2]}.py"
-    return name == "__init__.py" and beside in workspace.names and _is_python2(path, workspace)
+    return name == "__init__.py" and beside in workspace.names and _is_python2_around(path, workspace)
 
 
 def _is_of_directory(path: str, line: int, workspace: Workspace) -> bool:
@@ -154,8 +156,7 @@ def _is_of_directory(path: str, line: int, workspace: Workspace) -> bool:
     """
     folder, _, name = path.rpartition("/")
     lines = workspace.text(path).split("\n")
-    taken = _TAKEN.match(lines[line - 1][:_LONGEST]) if line <= len(lines) else None
-    stem = name.removesuffix(".py")
+    taken, stem = _TAKEN.match(lines[line - 1][:_LONGEST]) if line <= len(lines) else None, name.removesuffix(".py")
     if taken is None or taken[1] != stem or folder.rpartition("/")[2] != stem:
         return False
     modules = [word.split()[0] for word in taken[2].split(",") if word.strip()]
@@ -203,8 +204,10 @@ def _is_python2_around(path: str, workspace: Workspace) -> bool:
 
 
 def _is_of_old_ros(text: str, texts: Iterable[str], workspace: Workspace) -> bool:
-    """Whether the file asks for `python`, which is Python 2 up to Melodic, and nothing of the workspace names Python 3 or a distribution that has it."""
-    if not _PLAIN.match(text) or any(map(names_python3, texts)):
+    """Whether the file, or if it asks for none another one, asks for `python`, which is Python 2 up to Melodic, and nothing of the workspace names Python 3 or a distribution that has it."""
+    texts = tuple(texts)
+    asks = _PLAIN.match(text) or (not text.startswith("#!") and any(map(_PLAIN.match, texts)))
+    if not asks or any(map(names_python3, texts)):
         return False
     pages = [name for name in sorted(workspace.names) if _PAGE.search(name)][:_MOST_FILES]
     return not any(_OF_NEW_ROS.search(workspace.text(page)) for page in pages)

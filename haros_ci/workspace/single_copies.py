@@ -62,6 +62,7 @@ _MAKERS = tuple(
         (r"\borbbec\b", r"\borbbec\b"),
         (r"\bvicon motion systems\b", r"\bvicon\b"),
         (r"\bqualisys\b", r"\bqualisys\b"),
+        (r"\bvectornav technologies\b", r"\bvectornav\b"),
         (r"\bslamtec\b|\brobopeak\b", r"\bslamtec\b|\brobopeak\b"),
         (r"\brobotis\b", r"\brobotis\b"),
     )

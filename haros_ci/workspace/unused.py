@@ -35,7 +35,9 @@ _SKETCHES = frozenset(
 #: Names of packages that are there to try things out.
 _TRIALS = frozenset("drafts playground sandbox scratch scratchpad tryout".split())
 #: Names of files that hold what somebody has tried out.
-_TRIED = regex(r"(?:drafts?|scratch(?:pad)?|playground|sandbox|scribbles?|te?mp|trial|tryout|untitled)[_-]?\d{0,3}")
+_TRIED = regex(
+    r"(?:drafts?|scratch(?:[_-]?(?:pad|paper))?|playground|sandbox|scribbles?|te?mp|trial|tryout|untitled)[_-]?\d{0,3}"
+)
 _ARCHIVED_TEST = regex(r"test_.*|.*_test")
 #: The first comments and text of a Python file, and what they say of one that is kept for reference.
 _HEAD = 2_000

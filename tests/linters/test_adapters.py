@@ -181,6 +181,7 @@ PYLINT = [
     ),
     ([message(symbol="syntax-error")], [("a.py", "syntax-error", "a.py:2:5")]),
     # said once, in the file that is imported
+    ([message(symbol="syntax-error", message="Parsing failed: 'invalid syntax (b, line 9000)'", line=9000)], []),
     ([message(symbol="syntax-error", message="Cannot import 'b' due to 'invalid syntax (b, line 47)'")], []),
     ([message(symbol="unknown-option-value")], []),
     ([message(path="elsewhere.py")], []),

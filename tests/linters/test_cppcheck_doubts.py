@@ -7,7 +7,8 @@ import time
 
 import pytest
 
-from haros_ci.linters.cppcheck_doubts import is_refuted, self_initialized_line
+from haros_ci.linters.cppcheck_doubts import is_refuted
+from haros_ci.linters.cppcheck_initializers import self_initialized_line
 
 UNREAD = "Variable 'kFirst' is assigned a value that is never used."
 REFUTED = [

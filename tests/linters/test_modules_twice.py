@@ -46,7 +46,14 @@ FIRES = [
     ("too-many-function-args", "Too many positional arguments for constructor call", 3, {}),
     ("too-many-function-args", "Too many positional arguments for method call", 4, {}),
 ]
+DOTTED = MAIN.replace("from plans", "from kinds.plans")
+FIRES += [
+    ("no-value-for-parameter", MISSING, 3, {"a/main.py": DOTTED, "a/kinds/plans.py": HERE, "b/kinds/plans.py": OTHER}),
+]
 QUIET = [
+    ("no-value-for-parameter", MISSING, 3, {"a/main.py": DOTTED, "a/kinds/plans.py": HERE}),
+    ("no-value-for-parameter", MISSING, 3, {"a/main.py": DOTTED, "a/kinds/plans.py": OTHER, "b/kinds/plans.py": HERE}),
+    ("no-value-for-parameter", MISSING, 3, {"a/main.py": DOTTED, "b/kinds/plans.py": OTHER}),
     ("no-value-for-parameter", MISSING, 3, {"a/plans.py": OTHER}),
     ("no-value-for-parameter", MISSING, 3, {"a/plans.py": OTHER, "b/plans.py": HERE}),
     ("no-value-for-parameter", MISSING, 3, {"b/plans.py": HERE}),

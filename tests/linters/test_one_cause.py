@@ -49,6 +49,29 @@ def test_findings_of_one_cause(results: list[Result], expected: list[list[int | 
     assert lines(results) == expected
 
 
+def leak(line: int, name: str, rule: str = "memleak") -> Result:
+    return Result("cppcheck", rule, Level.WARNING, f"Memory leak: {name}", Location("a.cpp", line, 1))
+
+
+@pytest.mark.parametrize(
+    ("results", "expected"),
+    [
+        ([leak(3, "a"), leak(3, "b"), leak(3, "c")], [[3, 3, 3]]),  # a function is left
+        ([leak(3, "a"), leak(7, "a")], [[3, 7]]),  # at two places
+        ([leak(3, "a"), leak(3, "b"), leak(7, "a"), leak(7, "b")], [[3, 3, 7, 7]]),
+        ([leak(3, "f", "resourceLeak"), leak(9, "f", "resourceLeak")], [[3, 9]]),
+        ([leak(3, "a"), leak(3, "f", "resourceLeak")], [[3], [3]]),
+        ([leak(3, "a"), leak(7, "b")], [[3], [7]]),
+        ([leak(3, "a"), leak(SECOND, "a")], [[3], [SECOND]]),
+        ([leak(500, "a"), leak(500, "b")], [[500], [500]]),
+        ([found(3, "p", rule="sprintfOverlappingData"), found(9, "p", rule="sprintfOverlappingData")], [[3, 9]]),
+        ([found(3, "p"), found(3, "q")], [[3], [3]]),
+    ],
+)
+def test_leaks_of_one_cause(results: list[Result], expected: list[list[int | None]]) -> None:
+    assert lines(results) == expected
+
+
 @pytest.mark.parametrize(
     ("places", "expected"),
     [

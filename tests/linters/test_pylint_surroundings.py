@@ -389,6 +389,7 @@ def test_code_beside_packages_of_ros_2(tmp_path: Path) -> None:
     assert not is_refuted_around(said, made)
 
 
+PLAIN = "#!/usr/bin/env python\n"
 TABS = "Parsing failed: 'inconsistent use of tabs and spaces in indentation (a, line 3)'"
 MIXED = "#!/usr/bin/env python\ndef f():\n\tgo()\n        go()\n"
 
@@ -410,6 +411,7 @@ def of_tabs(root: Path, text: str, keys: str, more: dict[str, str], message: str
         (MIXED, "", {}),
         (MIXED, "", {"README.md": "For ROS Kinetic.\n", "b/b.py": "#!/usr/bin/env python\n"}),
         (MIXED, "", {f"b/{name}.py": MIXED for name in "bc"}),
+        (MIXED[MIXED.index("def") :], "", {"b/b.py": "#!/usr/bin/env python\n"}),
         (MIXED, "", {**{f"b/{name}.py": MIXED for name in "bcd"}, "b/e.py": "#!/usr/bin/env python3\n"}),
     ],
 )
@@ -423,6 +425,9 @@ def test_tabs_of_python_2(tmp_path: Path, text: str, keys: str, more: dict[str, 
     [
         (MIXED.replace("#!/usr/bin/env python\n", ""), "", {}),
         (MIXED.replace("#!/usr/bin/env python\n", "#!/bin/sh\n"), "", {}),
+        (MIXED.replace("#!/usr/bin/env python\n", "#!/bin/sh\n"), "", {"b/b.py": "#!/usr/bin/env python\n"}),
+        (MIXED[MIXED.index("def") :], "", {"b/b.py": "#!/usr/bin/env python\n", "README.md": "For ROS Noetic.\n"}),
+        (MIXED[MIXED.index("def") :], "", {"b/b.py": "#!/usr/bin/env python\n", "b/c.py": "#!/usr/bin/env python3\n"}),
         (MIXED.replace("env python\n", "env python3.8\n"), "", {}),
         (MIXED, "", {"README.md": "For ROS Noetic.\n"}),
         (MIXED, "<exec_depend>python3-yaml</exec_depend>", {}),
@@ -506,6 +511,12 @@ def imports_another(root: Path, files: dict[str, str], path: str) -> bool:
         ("a/bin/one", {"a/bin/one": "#!/usr/bin/env python\n" + OF_ITSELF}),
         ("a/bin/one", {"a/bin/one": "#!/usr/bin/env python3\n" + OF_ITSELF}),
         ("a/src/one/__init__.py", {"a/src/one/__init__.py": OF_ITSELF, **WITH_ITS_NAME}),
+        ("a/src/one/__init__.py", {"a/src/one/__init__.py": PLAIN + OF_ITSELF, "a/src/one/one.py": ""}),
+        ("a/src/one/__init__.py", {"a/src/one/__init__.py": OF_ITSELF, "a/src/one/one.py": "", "a/bin/two.py": PLAIN}),
+        (
+            "a/scripts/one.py",
+            {"a/scripts/one.py": OF_ITSELF + "roslib.load_manifest('one')\n", "a/src/one/__init__.py": ""},
+        ),
         ("a/launch/one.py", {"a/launch/one.py": OF_ITSELF + "def generate_launch_description():\n    return one()\n"}),
         ("a/one/one.py", {"a/one/one.py": "from one import other\n", "a/one/other.py": ""}),
         (
@@ -522,8 +533,15 @@ def test_an_import_of_another_module_of_that_name(tmp_path: Path, path: str, fil
     ("path", "files"),
     [
         ("a/src/one.py", {"a/src/one.py": OF_ITSELF}),
+        ("a/scripts/one.py", {"a/scripts/one.py": OF_ITSELF, "a/src/one/__init__.py": ""}),
+        ("a/scripts/one.py", {"a/scripts/one.py": OF_ITSELF + "roslib.load_manifest('one')\n"}),
         ("a/src/one/__init__.py", {"a/src/one/__init__.py": OF_ITSELF, "a/src/one/other.py": ""}),
         ("a/src/one/__init__.py", {"a/src/one/__init__.py": OF_ITSELF, "a/src/one/one.py": ""}),
+        ("a/src/one/__init__.py", {"a/src/one/__init__.py": PLAIN + OF_ITSELF}),
+        (
+            "a/src/one/__init__.py",
+            {"a/src/one/__init__.py": PLAIN + OF_ITSELF, "a/src/one/one.py": "", "README.md": "For ROS Noetic.\n"},
+        ),
         ("a/src/one/one.py", {"a/src/one/one.py": OF_ITSELF, **WITH_ITS_NAME}),
         ("a/one/one.py", {"a/one/one.py": "from one import other\n"}),
         ("a/one/one.py", {"a/one/one.py": "from one import other, more\n", "a/one/other.py": ""}),

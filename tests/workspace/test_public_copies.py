@@ -46,6 +46,7 @@ FIRES += [
     ({**OWN, "src/sllidar_ros2": ("sllidar_ros2", (SLAMTEC,), "1.0.1")}, {"src/sllidar_ros2"}),
     ({**OWN, "src/yolo": ("darknet_ros", (("Marko", "marko.bjelonic@mavt.ethz.ch"),), "1.1.5")}, {"src/yolo"}),
     ({**OWN, "src/imu": ("wit_ros_imu", (("kevin", "kevin@wit-motion.com"),), "0.1.0")}, {"src/imu"}),
+    ({**OWN, "src/scan": ("ydlidar", (("shao", "shao@eaibot.com"),), "1.3.1")}, {"src/scan"}),
     ({**OWN, "src/lidar": ("livox_ros2_driver", (("feng", "dev@livoxtech.com"),), "0.0.0")}, {"src/lidar"}),
 ]
 FIRES += [

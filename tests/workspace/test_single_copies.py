@@ -64,6 +64,7 @@ FIRES += [
     {**made(CHIPS, "from . import chip0\n" + BODY), **MANY},
     {**made(CHIPS), **MANY, "demo/package.xml": MANIFEST.replace("Apache-2.0", "BSD")},
     {**made(CHIPS.replace("Texas Instruments, Inc.", "NVIDIA CORPORATION")), **MANY},
+    {**made(CHIPS.replace("Texas Instruments, Inc.", "VectorNav Technologies, LLC")), **MANY},
 ]
 CONTRACT = "# Copyright © 2024 NaturalPoint, Inc. All Rights Reserved.\n# THIS SOFTWARE IS GOVERNED BY ITS EULA.\n"
 BESIDE = {f"demo/part{number}.py": CONTRACT + BODY for number in range(9)}

@@ -80,6 +80,7 @@ FIRES_PYTHON = [
     ("demo/pick_old.py", {"demo/pick_old.py": NODE, "demo/pick.py": NODE, "demo/__init__.py": ""}),
     ("demo/draft.py", {"demo/draft.py": NODE}),
     ("demo/untitled1.py", {"demo/untitled1.py": NODE}),
+    ("demo/scratch_paper.py", {"demo/scratch_paper.py": NODE}),
     ("demo/scribble.py", {"demo/scribble.py": NODE}),
     ("demo/old version/pick.py", {"demo/old version/pick.py": NODE}),
     ("previous_versions/pick.py", {"previous_versions/pick.py": NODE}),
