@@ -15,7 +15,7 @@ from haros_ci.follow.walk import TURNS, Walk
 from haros_ci.model.location import Location
 from haros_ci.syntax import Block, Expression, Type
 from haros_ci.syntax.walk import everything
-from haros_ci.values.abstract import Cell, Known, Object, Opaque, Value, tick
+from haros_ci.values.abstract import Cell, Known, Object, Opaque, Sequence, Value, tick
 
 #: Steps after which the turns of a loop are no longer gone through one by one; those of rehearsals in it that do not count.
 LONG, REHEARSED = 2_000, 8_000
@@ -26,25 +26,12 @@ TOO_LONG = f"{BOUND}{LONG} steps for the turns of a loop is reached"
 TOO_MANY = f"{BOUND}{TURNS} turns of a loop is reached"
 TOO_MANY_ITEMS = f"{BOUND}{TURNS * 4} elements of a loop is reached"
 TOO_DEEP = f"{BOUND}loops in loops is reached"
+CHANGED = "an element of a list that is changed while it is gone through"
 #: Functions that read a character that they are given.
 READING = frozenset(
     f"{space}{name}"
     for space in ("", "::", "std::")
-    for name in (
-        *(
-            "toupper",
-            "tolower",
-            "isalnum",
-            "isalpha",
-            "isdigit",
-            "islower",
-            "isupper",
-            "isspace",
-            "ispunct",
-            "isxdigit",
-        ),
-        "to_string",
-    )
+    for name in (*"toupper tolower isalnum isalpha isdigit islower isupper isspace ispunct isxdigit to_string".split(),)
 )
 #: Why an element of a list that is empty as things are may be there all the same.
 NAMED = "the list is a matter of parameters"
@@ -233,6 +220,7 @@ def _each(walk: Walk, frame: Frame, statement: syntax.Each) -> str:
     items, others = static_types.some_elements(walk, frame, iterable)
     if walk.is_raised:
         return NEXT
+    listed, before = _listed(walk, frame, iterable) if items else (None, None)
     resolved = walk.type_in(kind, frame)
 
     def turn(value: Value | Cell) -> str:
@@ -274,6 +262,8 @@ def _each(walk: Walk, frame: Frame, statement: syntax.Each) -> str:
             forget_dead(walk, known)
             if ended != NEXT:
                 return _leave(walk, current, goes_on=False, ended=ended)
+        if listed is not None and listed.content.value is not before and unknown is None:
+            unknown = Opaque(CHANGED, Location(frame.source.path, line), resolved)
         if unknown is not None:
             current.turn = 0
             matters = _matters(walk, frame, body, None)
@@ -282,6 +272,14 @@ def _each(walk: Walk, frame: Frame, statement: syntax.Each) -> str:
             with walk.doubted(doubt):
                 widening.widened(walk, frame, current, loads or matters, line, partial(turn, unknown))
     return _leave(walk, current, goes_on=True)
+
+
+def _listed(walk: Walk, frame: Frame, iterable: Expression) -> tuple[Sequence | None, object]:
+    """The list of Python that a name stands for, and its elements: a loop sees what its turns change in it."""
+    is_named = frame.source.separator == "." and isinstance(iterable, (syntax.Name, syntax.Member))
+    cell = expressions.cell_of(walk, frame, iterable) if is_named else None
+    value = cell.value if cell is not None else None
+    return (value, value.content.value) if isinstance(value, Sequence) else (None, None)
 
 
 def _too_much(walk: Walk) -> str:

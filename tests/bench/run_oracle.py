@@ -623,6 +623,8 @@ def judge(text: str, runs: Sequence[Run]) -> tuple[list[str], Counter[str]]:
     found = follow(python_files(text))
     counts: Counter[str] = Counter()
     nodes = [node for configuration in found.configurations for node in configuration.nodes]
+    if not nodes and not any(one.made for one in runs):  # a program that makes nothing is left out
+        return [], counts
     if len(nodes) != 1:
         return [f"{len(nodes)} nodes"], counts
     (node,) = nodes

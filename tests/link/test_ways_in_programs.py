@@ -104,3 +104,22 @@ f()
 def test_a_way_behind_a_return_that_is_taken_does_not_count(before: str, test: str, expected: list[str]) -> None:
     (end,) = ends(python(BEHIND.format(before=before, test=test)))
     assert [condition for _, condition, _, _ in conditions(end)] == expected
+
+
+@pytest.mark.parametrize(
+    ("change", "expected"),
+    [
+        ("v.append('b')", ["/?", "/a"]),
+        ("v.extend(['b', 'c'])", ["/?", "/a"]),
+        ("w.append('b')", ["/?", "/a"]),  # the same list
+        ("v += ['b']", ["/?", "/a"]),
+        ("u.append('b')", ["/a"]),
+        ("v = ['b']", ["/a"]),
+        ("v[:].append('b')", ["/a"]),
+        ("len(v)", ["/a"]),
+        ("sorted(v)", ["/a"]),
+    ],
+)
+def test_a_list_that_grows_while_it_is_gone_through(change: str, expected: list[str]) -> None:
+    text = f"u = ['u']\nv = ['a']\nw = v\nfor x in v:\n    rospy.Publisher(x, String, queue_size=1)\n    {change}\n    if len(v) > 3: break\n"
+    assert sorted(names(python(text))) == expected
