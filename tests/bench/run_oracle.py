@@ -610,12 +610,16 @@ def run(text: str, seed: int) -> Run:
 
 
 def full(name: str) -> str:
-    """A name as the node ``/n`` has it."""
-    return name if name.startswith("/") else f"/{name}"
+    """A name as the node ``/n`` has it (rospy/names.py, canonicalize_name)."""
+    return "/" + re.sub(r"/+", "/", name).strip("/")
 
 
 def admits(pattern: str, name: str) -> bool:
-    return re.fullmatch("".join(".*" if c == "?" else re.escape(c) for c in pattern), name, re.DOTALL) is not None
+    parts = (
+        "(?:.*/)?" if part == "?/" else ".*" if part == "?" else re.escape(part)
+        for part in re.findall(r"(?<=/)\?/|.", pattern, re.DOTALL)
+    )
+    return re.fullmatch("".join(parts), name, re.DOTALL) is not None
 
 
 def judge(text: str, runs: Sequence[Run]) -> tuple[list[str], Counter[str]]:
@@ -634,7 +638,7 @@ def judge(text: str, runs: Sequence[Run]) -> tuple[list[str], Counter[str]]:
     whole = [one for one in runs if not one.error]
     made = {(kind, full(name), type_) for one in runs for kind, name, type_, _ in one.made}
     for kind, name, type_ in sorted(made):
-        if re.search(r"//|[^\w/]", name) or not name[1:] or name.endswith("/"):
+        if re.search(r"[^\w/]", name) or not name[1:]:
             counts["names that are none"] += 1
             continue
         alike = [e for e in ends if e.kind == kind and admits(e.name, name)]

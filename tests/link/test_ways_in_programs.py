@@ -123,3 +123,31 @@ def test_a_way_behind_a_return_that_is_taken_does_not_count(before: str, test: s
 def test_a_list_that_grows_while_it_is_gone_through(change: str, expected: list[str]) -> None:
     text = f"u = ['u']\nv = ['a']\nw = v\nfor x in v:\n    rospy.Publisher(x, String, queue_size=1)\n    {change}\n    if len(v) > 3: break\n"
     assert sorted(names(python(text))) == expected
+
+
+FINALLY = "def f(x):\n    try:\n        {}\n    except {}:\n        {}\n    finally:\n        rospy.Publisher(x, String, queue_size=1)\nf('a')\n"
+
+
+@pytest.mark.parametrize(
+    ("body", "handler", "ways"),
+    [
+        ("raise ValueError()", "ValueError", "return"),
+        ("return open(x)", "OSError", "return None"),
+        ("return open(x)", "OSError", "raise"),
+        ("return open(x)", "OSError", "pass"),
+        ("y = open(x)", "OSError", "return"),
+        ("raise ValueError()", "ValueError", "pass"),
+    ],
+)
+def test_finally_is_done_however_the_block_is_left(body: str, handler: str, ways: str) -> None:
+    found = python(FINALLY.format(body, handler, ways))
+    assert names(found) == ["/a"]
+    assert all(not end.is_ruled_out for end in ends(found))
+
+
+def test_finally_in_a_loop() -> None:
+    text = (
+        "for x in ['a', 'b']:\n    try:\n        y = open(x)\n    except OSError:\n        continue\n    else:\n        break\n"
+        "    finally:\n        rospy.Publisher(x, String, queue_size=1)\n"
+    )
+    assert names(python(text)) == ["/a", "/b"]

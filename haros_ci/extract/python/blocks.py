@@ -78,6 +78,36 @@ def left_by_finally(node: Tried) -> Tried | None:
     return made
 
 
+def done_before_leaving(node: Tried) -> Tried | None:
+    """*node* with what ``finally`` says before the statement by which the block, and each handler, is left; None if one of them comes to its end.
+
+    It is done behind what the ``return`` gives, and in a block of which nobody knows where it is left; both make no difference to what it makes.
+    """
+    after = node.orelse or node.body
+    if not node.finalbody or not all(map(_is_left, (after, *(handler.body for handler in node.handlers)))):
+        return None
+    left: Any = copy.copy(node)
+    left.handlers = [copy.copy(handler) for handler in node.handlers]
+    for one in (left if not node.orelse else None, *left.handlers):
+        if one is not None:
+            one.body = [*one.body[:-1], *node.finalbody, one.body[-1]]
+    if node.orelse:
+        left.orelse = [*node.orelse[:-1], *node.finalbody, node.orelse[-1]]
+    left.finalbody = []
+    made: Tried = left
+    return made
+
+
+def _is_left(block: list[ast.stmt]) -> bool:
+    """Whether no way comes to the end of *block*, as its last statement shows."""
+    last = block[-1] if block else None
+    if isinstance(last, ast.If):
+        return _is_left(last.body) and _is_left(last.orelse)
+    if isinstance(last, (ast.With, ast.AsyncWith)):
+        return _is_left(last.body)
+    return isinstance(last, (ast.Return, ast.Raise, ast.Break, ast.Continue))
+
+
 class _Raising(ast.NodeTransformer):
     """Puts ``raise`` in the place of each ``return`` of a function itself."""
 
