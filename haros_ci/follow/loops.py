@@ -3,8 +3,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from functools import partial
+from collections.abc import Callable as Function_
+from functools import partial, reduce
 
 from haros_ci import syntax
 from haros_ci.follow import beside, copies, expressions, follow, lookup, statements, static_types, thrown, widening
@@ -15,7 +15,7 @@ from haros_ci.follow.walk import TURNS, Walk
 from haros_ci.model.location import Location
 from haros_ci.syntax import Block, Expression, Type
 from haros_ci.syntax.walk import everything
-from haros_ci.values.abstract import Cell, Known, Object, Opaque, Sequence, Value, tick
+from haros_ci.values.abstract import Callable, Cell, Known, Object, Opaque, Sequence, Value, join, tick
 
 #: Steps after which the turns of a loop are no longer gone through one by one; those of rehearsals in it that do not count.
 LONG, REHEARSED = 2_000, 8_000
@@ -75,7 +75,7 @@ def loop(walk: Walk, frame: Frame, statement: syntax.Loop) -> str:
 
 
 def _turned(
-    walk: Walk, frame: Frame, statement: syntax.Loop, loop: Loop, one: Callable[[], str], after: Callable[[], None]
+    walk: Walk, frame: Frame, statement: syntax.Loop, loop: Loop, one: Function_[[], str], after: Function_[[], None]
 ) -> str | None:
     """Go through a loop turn by turn, as long as that is known and worth it: how it ends; None if that is not seen."""
     test, before = statement.test, (walk.steps - walk.aside, walk.quiet_steps)
@@ -131,7 +131,12 @@ def _holds(walk: Walk, frame: Frame, test: Expression | None) -> bool | None:
 
 
 def _counted(
-    walk: Walk, frame: Frame, loop: Loop, number: int, body: Callable[[], str], after: Callable[[], None] | None = None
+    walk: Walk,
+    frame: Frame,
+    loop: Loop,
+    number: int,
+    body: Function_[[], str],
+    after: Function_[[], None] | None = None,
 ) -> str:
     """The turn of that *number*, where they are gone through one by one."""
     walk.turns *= 2
@@ -254,6 +259,7 @@ def _each(walk: Walk, frame: Frame, statement: syntax.Each) -> str:
             doubt = NAMED
             unknown = Opaque(NAMED, Location(frame.source.path, line), _element_type(walk, frame, iterable, resolved))
         if items and (walk.turns >= widening.NESTED or len(items) > TURNS * 4):
+            unknown = unknown or _one_function(items)
             unknown = unknown or Opaque(_too_much(walk), Location(frame.source.path, line), resolved)
             items = []
         known = len(walk.made)
@@ -282,6 +288,15 @@ def _listed(walk: Walk, frame: Frame, iterable: Expression) -> tuple[Sequence | 
     return (value, value.content.value) if isinstance(value, Sequence) else (None, None)
 
 
+def _one_function(items: list[Value | Cell]) -> Value | None:
+    """One of the *items*, if all are functions, and no more than may be told apart: what is called is one of them."""
+    values = [item.value if isinstance(item, Cell) else item for item in items]
+    if not all(isinstance(value, Callable) for value in values):
+        return None
+    joined = reduce(join, values)
+    return None if isinstance(joined, Opaque) else joined
+
+
 def _too_much(walk: Walk) -> str:
     """Why the elements of a list that is known are not gone through."""
     return TOO_DEEP if walk.turns >= widening.NESTED else TOO_MANY_ITEMS
@@ -291,7 +306,7 @@ def _element_type(walk: Walk, frame: Frame, iterable: Expression, written: Type)
     return static_types.element_type(walk, frame, iterable) if written.name in ("", "auto") else written
 
 
-def _possible(walk: Walk, frame: Frame, loop: Loop, turns: list[Callable[[], str]]) -> None:
+def _possible(walk: Walk, frame: Frame, loop: Loop, turns: list[Function_[[], str]]) -> None:
     """Turns for elements that a list has on some paths: what these make and leave behind may be so."""
     mark = walk.state.mark()
     for turn in turns:

@@ -137,6 +137,9 @@ FINALLY = "def f(x):\n    try:\n        {}\n    except {}:\n        {}\n    fina
         ("return open(x)", "OSError", "pass"),
         ("y = open(x)", "OSError", "return"),
         ("raise ValueError()", "ValueError", "pass"),
+        ("raise ValueError()", "ValueError", "if x: return"),
+        ("for y in [1]: break", "ValueError", "return"),
+        ("while x: return", "ValueError", "raise"),
     ],
 )
 def test_finally_is_done_however_the_block_is_left(body: str, handler: str, ways: str) -> None:
@@ -151,3 +154,27 @@ def test_finally_in_a_loop() -> None:
         "    finally:\n        rospy.Publisher(x, String, queue_size=1)\n"
     )
     assert names(python(text)) == ["/a", "/b"]
+
+
+NESTED = """
+def f(fs):
+    for g in fs:
+        g("a")
+def one(x):
+    rospy.Publisher("/one/" + x, String, queue_size=1)
+def two(x):
+    rospy.Publisher("/two/" + x, String, queue_size=1)
+"""
+
+
+@pytest.mark.parametrize("depth", [0, 1, 2, 3, 4])
+def test_functions_of_a_list_are_called_in_loops_in_loops(depth: int) -> None:
+    loops = "".join(f"{' ' * level}for i{level} in ['x', 'y']:\n" for level in range(depth))
+    assert names(python(f"{NESTED}{loops}{' ' * depth}f([one, two])\n")) == ["/one/a", "/two/a"]
+
+
+@pytest.mark.parametrize("listed", ["[print, len]", "[]", "['one', 'two']"])
+def test_other_lists_call_none_of_them(listed: str) -> None:
+    loops = "".join(f"{' ' * level}for i{level} in ['x', 'y']:\n" for level in range(4))
+    found = python(f"{NESTED}{loops}    f({listed})\n")
+    assert names(found) == []
