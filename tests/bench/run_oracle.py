@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Whether the model of generated programs in Python is what they do when they run.
 
-    python tests/bench/run_oracle.py SEED COUNT [--show]
+    python tests/bench/run_oracle.py SEED COUNT [--show] [--ros2]
 
-Each program is generated (none is anybody's), its model is made, and it is run several times with a module in place of rospy that writes down
+Each program is generated (none is anybody's), its model is made, and it is run several times with something in place of rospy (with ``--ros2`` of rclpy) that writes down
 what is made; what a program draws by chance differs from run to run, and every callback is called. The exit code is 1 where the two disagree:
 
 - ``missing``: something is made that the model does not have, and does not say that it may lack anything;
@@ -32,7 +32,21 @@ MEMORY = 600_000_000
 STEPS = 3_000
 WORDS = "arm base cam drive eye fork gear hub imu jaw".split()
 KEYS = "left right top low".split()
-CALLS = {"publishers": "rospy.Publisher({0}, {1}, queue_size={2})", "subscribers": "rospy.Subscriber({0}, {1}, {3})"}
+CALLS = {
+    1: {"publishers": "rospy.Publisher({0}, {1}, queue_size={2})", "subscribers": "rospy.Subscriber({0}, {1}, {3})"},
+    2: {
+        "publishers": "NODE.create_publisher({1}, {0}, {2})",
+        "subscribers": "NODE.create_subscription({1}, {0}, {3}, 1)",
+    },
+}
+HEADS = {1: ("import rospy",), 2: ("import rclpy", "from rclpy.node import Node")}
+BEGIN = {
+    1: ('    rospy.init_node("n")',),
+    2: ("    global NODE", "    rclpy.init()", '    NODE = rclpy.create_node("n")'),
+}
+SPIN = {1: "    rospy.spin()", 2: "    rclpy.spin(NODE)"}
+TIMER = {1: "rospy.Timer(rospy.Duration({0}), {1})", 2: "NODE.create_timer({0} + 1.0, lambda: {1}(None))"}
+INTERFACES = {1: "std_msgs/{}", 2: "std_msgs/msg/{}"}
 TYPES = ("String", "Bool", "Int32", "Empty")
 
 
@@ -64,7 +78,8 @@ class Scope:
 class Program:
     """One generated program, as text."""
 
-    def __init__(self, seed: int) -> None:
+    def __init__(self, seed: int, ros: int = 1) -> None:
+        self.ros = ros
         self.random = random.Random(seed)
         self.count = 0
         self.lines: list[str] = []
@@ -309,7 +324,9 @@ class Program:
     def make(self, scope: Scope) -> str:
         kind = self.pick("publishers", "subscribers")
         callback = self.random.choice([*self.callbacks, "print"])
-        return CALLS[kind].format(self.of("str", scope), self.pick(*TYPES), self.of("int", scope, 2), callback)
+        return CALLS[self.ros][kind].format(
+            self.of("str", scope), self.pick(*TYPES), self.of("int", scope, 2), callback
+        )
 
     def _make(self, scope: Scope, indent: str) -> list[str]:
         return [f"{indent}{self.make(scope)}"]
@@ -529,9 +546,7 @@ class Program:
     def _timer(self, scope: Scope, indent: str) -> list[str]:
         if not self.callbacks:
             return self._assign(scope, indent)
-        return [
-            f"{indent}rospy.Timer(rospy.Duration({self.of('int', scope, 2)}), {self.random.choice(self.callbacks)})"
-        ]
+        return [indent + TIMER[self.ros].format(self.of("int", scope, 2), self.random.choice(self.callbacks))]
 
     def _plain_call(self, scope: Scope, indent: str) -> list[str]:
         call = self._call(None, scope, 0)
@@ -618,10 +633,11 @@ class Program:
             "#!/usr/bin/env python3",
             "import random",
             "import threading",
-            "import rospy",
+            *HEADS[self.ros],
             "from std_msgs.msg import Bool, Empty, Int32, String",
             "",
             "LOCK = threading.RLock()",
+            *(("NODE = None",) if self.ros == 2 else ()),
             "",
             "def passed(function):",
             "    def wrapped(*args, **kwargs):",
@@ -662,15 +678,15 @@ class Program:
                         'getattr(made, "p_str")',
                         "made.shared",
                     )
-                    body.append(f"    rospy.Publisher({name}, String, queue_size=1)")
+                    body.append("    " + CALLS[self.ros]["publishers"].format(name, "String", 1))
                 if self.chance(0.2):
                     body += [
                         f'    setattr(made, "p_str", {self.of("str", scope)})',
-                        "    rospy.Publisher(made.p_str, Bool, queue_size=1)",
+                        "    " + CALLS[self.ros]["publishers"].format("made.p_str", "Bool", 1),
                     ]
                 if self.chance(0.2):
                     body.append(f'    getattr(made, "{self.pick("step", "more")}")({self.of("str", scope)})')
-        main = ["def main():", '    rospy.init_node("n")', *body, "    rospy.spin()", ""]
+        main = ["def main():", *BEGIN[self.ros], *body, SPIN[self.ros], ""]
         self.lines += [*main, 'if __name__ == "__main__":', "    main()", ""]
         return "\n".join(self.lines)
 
@@ -713,9 +729,18 @@ def run(text: str, seed: int) -> Run:
 
     rospy = SimpleNamespace(Publisher=publisher, Subscriber=subscriber, init_node=lambda name: None, spin=spin)
     rospy.Duration, rospy.Timer = float, lambda period, callback: callbacks.append(callback)
-    own = re.sub(r"^(import rospy|from std_msgs.*|import random)$", "", text, flags=re.MULTILINE)
+    node = SimpleNamespace(
+        create_publisher=lambda kind, name, depth: publisher(name, kind, depth),
+        create_subscription=lambda kind, name, callback, depth: subscriber(name, kind, callback),
+        create_timer=lambda period, callback: callbacks.append(lambda _: callback()),
+    )
+    rclpy = SimpleNamespace(init=lambda: None, create_node=lambda name: node, spin=lambda node: spin())
+    own = re.sub(
+        r"^(import rospy|import rclpy|from rclpy.*|from std_msgs.*|import random)$", "", text, flags=re.MULTILINE
+    )
     names: dict[str, Any] = {
         "rospy": rospy,
+        "rclpy": rclpy,
         "random": random.Random(seed),
         "__name__": "__main__",
         **{t: t for t in TYPES},
@@ -747,9 +772,9 @@ def admits(pattern: str, name: str) -> bool:
     return re.fullmatch("".join(parts), name, re.DOTALL) is not None
 
 
-def judge(text: str, runs: Sequence[Run]) -> tuple[list[str], Counter[str]]:
+def judge(text: str, runs: Sequence[Run], ros: int = 1) -> tuple[list[str], Counter[str]]:
     """Where the model of a program disagrees with its runs, and counts."""
-    found = follow(python_files(text))
+    found = follow(python_files(text), ros)
     counts: Counter[str] = Counter()
     nodes = [node for configuration in found.configurations for node in configuration.nodes]
     if not nodes and not any(one.made for one in runs):  # a program that makes nothing is left out
@@ -757,7 +782,7 @@ def judge(text: str, runs: Sequence[Run]) -> tuple[list[str], Counter[str]]:
     if len(nodes) != 1:
         return [f"{len(nodes)} nodes"], counts
     (node,) = nodes
-    ends = [end for end in node.endpoints if end.kind in CALLS and not end.implicit]
+    ends = [end for end in node.endpoints if end.kind in CALLS[ros] and not end.implicit]
     is_open = any(unknown.field == "endpoints" for unknown in node.unknowns)
     problems: list[str] = []
     whole = [one for one in runs if not one.error]
@@ -767,7 +792,7 @@ def judge(text: str, runs: Sequence[Run]) -> tuple[list[str], Counter[str]]:
             counts["names that are none"] += 1
             continue
         alike = [e for e in ends if e.kind == kind and admits(e.name, name)]
-        fits = [e for e in alike if e.type in (None, f"std_msgs/{type_}")]
+        fits = [e for e in alike if e.type in (None, INTERFACES[ros].format(type_))]
         counts["made"] += 1
         if any("?" not in e.name for e in fits):
             counts["made, name known"] += 1
@@ -782,7 +807,7 @@ def judge(text: str, runs: Sequence[Run]) -> tuple[list[str], Counter[str]]:
             continue
         counts["known"] += 1
         times = [
-            any((k, full(n), f"std_msgs/{t}") == (end.kind, end.name, end.type) for k, n, t, _ in one.made)
+            any((k, full(n), INTERFACES[ros].format(t)) == (end.kind, end.name, end.type) for k, n, t, _ in one.made)
             for one in whole
         ]
         is_conditional = end.conditions or end.early_ways or any(one.field == "conditions" for one in end.unknowns)
@@ -796,16 +821,16 @@ def judge(text: str, runs: Sequence[Run]) -> tuple[list[str], Counter[str]]:
     return problems, counts
 
 
-def main(seed: int, count: int, show: bool) -> int:
+def main(seed: int, count: int, show: bool, ros: int) -> int:
     resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
     total: Counter[str] = Counter()
     bad = 0
     for number in range(seed, seed + count):
-        text = Program(number).text
+        text = Program(number, ros).text
         runs = [run(text, k) for k in range(RUNS)]
         total["programs"] += 1
         total["programs that end"] += any(not one.error for one in runs)
-        problems, counts = judge(text, runs)
+        problems, counts = judge(text, runs, ros)
         total += counts
         for problem in problems:
             kind = problem.partition(":")[0]
@@ -819,4 +844,4 @@ def main(seed: int, count: int, show: bool) -> int:
 
 
 if __name__ == "__main__":
-    sys.exit(main(int(sys.argv[1]), int(sys.argv[2]), "--show" in sys.argv))
+    sys.exit(main(int(sys.argv[1]), int(sys.argv[2]), "--show" in sys.argv, 2 if "--ros2" in sys.argv else 1))
