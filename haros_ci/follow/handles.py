@@ -21,7 +21,8 @@ if TYPE_CHECKING:
 def handle(applied: selectors.Applied, entry: Entry) -> Value:
     """The namespace of a node handle: its parent's, and the text below it.
 
-    A handle that a nodelet makes itself is its process's, the manager's, and not its own (wiki.ros.org/nodelet).
+    A handle that a nodelet makes itself is its process's, the manager's, and not its own (wiki.ros.org/nodelet). The text ``/`` adds nothing: roscpp
+    cleans it away (names.cpp, ``clean``), so that ``ros::NodeHandle("/")`` is in the namespace of the node.
     """
     own, above = own_names(applied)
     parent: Value = Known(above)
@@ -29,7 +30,7 @@ def handle(applied: selectors.Applied, entry: Entry) -> Value:
         found = selectors.value_of(applied, entry.values["parent"])
         parent = namespace_of(applied, found) if found is not None else parent
     text = selectors.value_at(applied, entry.values["namespace"]) if "namespace" in entry.values else Known("")
-    if text is None or text == Known("") or text == NONE:
+    if text is None or text == NONE or (isinstance(text, Known) and text.value in ("", "/", "//")):
         return parent
     if "parent" in entry.values and pattern(text)[0].startswith("~"):
         return applied.walk.opaque("roscpp throws at a private name below a node handle", applied.frame)

@@ -21,7 +21,9 @@ HANDLES = (
     case("default", on("ros::NodeHandle h;"), "/ns/x"),
     case("namespace", on('ros::NodeHandle h("a");'), "/ns/a/x"),
     case("absolute namespace", on('ros::NodeHandle h("/a");'), "/a/x"),
-    case("root", on('ros::NodeHandle h("/");'), "/x"),
+    case("root", on('ros::NodeHandle h("/");'), "/ns/x"),  # as roscpp 1.15.15 has it, run with ROS_NAMESPACE
+    case("root below a private one", on('ros::NodeHandle p("~"); ros::NodeHandle h(p, "/");'), "/ns/me/x"),
+    case("root of an absolute one", on('ros::NodeHandle p("/a"); ros::NodeHandle h(p, "/");'), "/a/x"),
     case("private", on('ros::NodeHandle h("~");'), "/ns/me/x"),
     case("below private", on('ros::NodeHandle h("~/a");'), "/ns/me/a/x"),
     case("below private without a slash", on('ros::NodeHandle h("~a");'), "/ns/me/a/x"),

@@ -87,13 +87,15 @@ def test_functions_without_a_handle_are_of_the_process(body: str, expected: str)
     ("body", "expected"),
     [
         ("dynamic_reconfigure::Server<p::XConfig> s(getPrivateNodeHandle());", [f"/me/{name}" for name in SERVER]),
-        ("dynamic_reconfigure::Server<p::XConfig> s(getNodeHandle());", [f"/{name}" for name in SERVER]),
+        ("dynamic_reconfigure::Server<p::XConfig> s(getNodeHandle());", [f"/ns/{name}" for name in SERVER]),
         (
             'ros::NodeHandle n(getPrivateNodeHandle(), "in"); dynamic_reconfigure::Server<p::XConfig> s(n);',
             [f"/me/in/{name}" for name in SERVER],
         ),
         ('getPrivateNodeHandle().advertise<std_msgs::String>("x", 1);', ["/me/x"]),
-        ('getNodeHandle().advertise<std_msgs::String>("x", 1);', ["/x"]),
+        # A nodelet at the root has the handle NodeHandle("/"), which is in the namespace of its manager.
+        ('getNodeHandle().advertise<std_msgs::String>("x", 1);', ["/ns/x"]),
+        ('getNodeHandle().advertise<std_msgs::String>("/x", 1);', ["/x"]),
         ('double x; getPrivateNodeHandle().getParam("x", x);', ["/me/x"]),
         ('ros::NodeHandle n(getName()); n.advertise<std_msgs::String>("x", 1);', ["/me/x"]),
     ],
