@@ -5,13 +5,29 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from haros_ci.api import Check, End, Finding, Given, Level, System, line_of
+from haros_ci.api import Check, End, Finding, Given, Level, System, line_of, regex
 
 #: The types that are compared.
 TYPES = frozenset(kind + array for kind in ("bool", "int", "double", "str") for array in ("", "[]"))
 
+#: Values that a script is to put something in the place of: ``__RATE__``, ``@RATE@``, ``${RATE}``, ``{{ rate }}``, ``%RATE%``.
+_PLACEHOLDER = regex(r"__\w+__|@\w+@|\$\{?\w+\}?|\{\{[^{}]{1,80}\}\}|%\w+%")
+
 
 def check(system: System) -> Iterator[Finding]:
+    """One finding stands for all placeholders that a node is given by one file."""
+    left: dict[tuple[str, str], list[tuple[Given, End]]] = {}
+    for parameter, end in _mismatches(system):
+        if isinstance(parameter.value, str) and _PLACEHOLDER.fullmatch(parameter.value.strip()):
+            left.setdefault((parameter.node.name, parameter.at.path), []).append((parameter, end))
+        else:
+            yield _finding(parameter, end)
+    for found in left.values():
+        parameter, end = min(found, key=lambda item: item[0].at.sort_key)
+        yield _finding(parameter, end, len(found) - 1)
+
+
+def _mismatches(system: System) -> Iterator[tuple[Given, End]]:
     for parameter in system.given:
         declared = parameter.node.names.declared.get(parameter.key, ())
         if not declared or parameter.type not in TYPES:
@@ -21,22 +37,34 @@ def check(system: System) -> Iterator[Finding]:
             for end in declared
         ):
             continue
-        end = declared[0]
-        yield Finding(
-            at=parameter.at,
-            message=(
-                f"{parameter.node.type} declares the parameter {parameter.key} as {end.type} ({line_of(end.location)}), but "
-                f"{parameter.node} gets {_shown(parameter)}, {_a(parameter.type)}: the node throws at the "
-                f"declaration{_instead(parameter, end)}"
-            ),
-            about=(parameter.node, parameter.key),
-            related=((end.location, f"declared as {end.type}"),) if end.in_source else (),
-            flow=(
-                (parameter.tag, f"{parameter.node} is given the parameters"),
-                (parameter.at, f"{_a(parameter.type)}"),
-            ),
-            presence=parameter.presence,
-        )
+        yield parameter, declared[0]
+
+
+def _finding(parameter: Given, end: End, more: int | None = None) -> Finding:
+    """*more*, where the value is a placeholder, are as many others of the file that the node is given."""
+    instead = _instead(parameter, end) if more is None else _filled(more)
+    return Finding(
+        at=parameter.at,
+        message=(
+            f"{parameter.node.type} declares the parameter {parameter.key} as {end.type} ({line_of(end.location)}), but "
+            f"{parameter.node} gets {_shown(parameter)}, {_a(parameter.type)}: the node throws at the "
+            f"declaration{instead}"
+        ),
+        about=(parameter.node, parameter.key),
+        related=((end.location, f"declared as {end.type}"),) if end.in_source else (),
+        flow=(
+            (parameter.tag, f"{parameter.node} is given the parameters"),
+            (parameter.at, f"{_a(parameter.type)}"),
+        ),
+        presence=parameter.presence,
+    )
+
+
+def _filled(more: int) -> str:
+    """What to write in place of a placeholder, where *more* parameters of the file have one."""
+    others = f", and so are those of {more} more parameters of the file" if more > 1 else ""
+    others = ", and so is that of another parameter of the file" if more == 1 else others
+    return f"; the value is a placeholder{others}: give the node a file with values"
 
 
 def _instead(parameter: Given, end: End) -> str:

@@ -6,6 +6,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 
+from haros_ci.linters import imports_of_self
 from haros_ci.linters.class_methods import CLASS, method_at
 from haros_ci.linters.decorated import is_call_of_decorated
 from haros_ci.linters.exercises import is_exercise, is_template
@@ -59,7 +60,6 @@ _REQUIREMENTS = regex(
 _OF_NEW_ROS = regex(r"noetic|python-?3|\bpip3\b|\bfocal\b|20\.04", re.IGNORECASE)
 _ALL = regex(r"Undefined variable name '([A-Za-z_]\w*)' in __all__")
 _STARRED = regex(r"^[ \t]*from[ \t]+([A-Za-z_]\w*)[ \t]+import[ \t]*\*", re.MULTILINE)
-_TAKEN = regex(r"[ \t]*from[ \t]+([A-Za-z_]\w*)[ \t]+import[ \t]+\(?([\w, \t]+)")
 _EXPORTS = regex(r"^__all__\b", re.MULTILINE)
 #: Files of a package that are asked for their Python.
 _MOST_FILES = 300
@@ -108,7 +108,7 @@ def _is_refuted_apart(result: Result, line: int, workspace: Workspace) -> bool:
     if result.rule == "bad-super-call":
         return _is_of_leaf(line, result, workspace)
     if result.rule == "import-self":
-        return _is_of_another_module(result.location.path, line, workspace)
+        return imports_of_self.are_of_another(result.location.path, line, workspace, _is_python2_around)
     if result.rule == "syntax-error":
         path = result.location.path
         is_unwritten = is_exercise(path, line, result.message, workspace) or is_template(path, workspace)
@@ -128,39 +128,6 @@ def _is_of_leaf(line: int, result: Result, workspace: Workspace) -> bool:
     return len(files) <= _MOST_FILES_OF_ALL and not any(
         name in text and inherits.search(text) for text in map(workspace.text, files)
     )
-
-
-def _is_of_another_module(path: str, line: int, workspace: Workspace) -> bool:
-    """Whether the import of a module with the file's own name, in *line*, is of another one.
-
-    A script without an ending is no module, nor is a launch file. In Python 2 ``import a`` in ``a/__init__.py`` is of ``a/a.py`` ("Intra-package References" in its tutorial).
-    """
-    folder, _, name = path.rpartition("/")
-    if not name.endswith(".py"):
-        return True
-    if "def generate_launch_description" in workspace.text(path):
-        return True  # launch loads it by its path, which brings no directory
-    end = f"/{name[:-3]}/__init__.py"
-    if "roslib.load_manifest(" in workspace.text(path) and any(f"/{one}".endswith(end) for one in workspace.names):
-        return True  # which puts the directories of packages before that of the script
-    if _is_of_directory(path, line, workspace):
-        return True
-    beside = f"{folder}/{folder.rpartition('/')[2]}.py"
-    return name == "__init__.py" and beside in workspace.names and _is_python2_around(path, workspace)
-
-
-def _is_of_directory(path: str, line: int, workspace: Workspace) -> bool:
-    """Whether the import takes modules from the directory that the file lies in and is called like: ``from utils import paths`` in ``utils/utils.py``.
-
-    Without an ``__init__.py`` pylint does not take the directory for a package; Python does (PEP 420), where the file is imported from above.
-    """
-    folder, _, name = path.rpartition("/")
-    lines = workspace.text(path).split("\n")
-    taken, stem = _TAKEN.match(lines[line - 1][:_LONGEST]) if line <= len(lines) else None, name.removesuffix(".py")
-    if taken is None or taken[1] != stem or folder.rpartition("/")[2] != stem:
-        return False
-    modules = [word.split()[0] for word in taken[2].split(",") if word.strip()]
-    return bool(modules) and all(f"{folder}/{module}.py" in workspace.names for module in modules)
 
 
 def _is_python2(path: str, workspace: Workspace) -> bool:

@@ -519,6 +519,8 @@ def imports_another(root: Path, files: dict[str, str], path: str) -> bool:
         ),
         ("a/launch/one.py", {"a/launch/one.py": OF_ITSELF + "def generate_launch_description():\n    return one()\n"}),
         ("a/one/one.py", {"a/one/one.py": "from one import other\n", "a/one/other.py": ""}),
+        ("a/one/__init__.py", {"a/one/__init__.py": "from one.other import Other\n", "a/one/other.py": ""}),
+        ("a/one/__init__.py", {"a/one/__init__.py": "from a.one.other import x\n", "a/one/other/__init__.py": ""}),
         (
             "a/one/one.py",
             {"a/one/one.py": "from one import (other as o, more)\n", "a/one/other.py": "", "a/one/more.py": ""},
@@ -533,6 +535,9 @@ def test_an_import_of_another_module_of_that_name(tmp_path: Path, path: str, fil
     ("path", "files"),
     [
         ("a/src/one.py", {"a/src/one.py": OF_ITSELF}),
+        ("a/one/__init__.py", {"a/one/__init__.py": "from one.other import Other\n"}),
+        ("a/one/__init__.py", {"a/one/__init__.py": "from two.other import Other\n", "a/one/other.py": ""}),
+        ("a/one/one.py", {"a/one/one.py": "from one.other import Other\n"}),
         ("a/scripts/one.py", {"a/scripts/one.py": OF_ITSELF, "a/src/one/__init__.py": ""}),
         ("a/scripts/one.py", {"a/scripts/one.py": OF_ITSELF + "roslib.load_manifest('one')\n"}),
         ("a/src/one/__init__.py", {"a/src/one/__init__.py": OF_ITSELF, "a/src/one/other.py": ""}),
