@@ -26,8 +26,8 @@ _NAME = rf"(?:rostopic://|rosservice://)?(?:/|~/)?{_TOKENS}"
 _BARE_RULE = regex(
     rf"(?:[A-Za-z_?][\w?]*:)?(?:(?:__node|__name):=[A-Za-z_?][\w?]*|__ns:=(?:/|[/?]{_TOKENS})|(?!__(?:node|name|ns):=){_NAME}:={_NAME})"
 )
-#: The path of a package, as paths in values begin with it: one word.
-_FOUND = regex(r"\$\([\w-]+ [\w-]+\)")
+#: A directory as paths in values begin with it, of a package or of the workspace: one word.
+_FOUND = regex(r"\$\([\w-]+ [^()\n]{0,300}\)")
 
 #: Stands in a word of a command line for a part that is not known, where it is certain that the word is one.
 PART = "\ue003"

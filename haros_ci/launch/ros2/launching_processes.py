@@ -5,10 +5,11 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from haros_ci.graph.words import shell_words
 from haros_ci.launch.ros2.context import Context, GroupScope
 from haros_ci.launch.ros2.in_shells import commands
 from haros_ci.launch.ros2.including import STEPS
-from haros_ci.launch.ros2.node import SHELL, command_of, words_of
+from haros_ci.launch.ros2.node import SHELL, command_of
 from haros_ci.launch.ros2.outside import include_known
 from haros_ci.model.architecture import Condition
 from haros_ci.model.launch_actions import Action, Phrase
@@ -24,7 +25,7 @@ _VALUED = ("--launch-prefix", "--launch-prefix-filter")
 
 def launched(run: LaunchEvaluation, action: Action, conditions: tuple[Condition, ...]) -> None:
     """Perform what the process *action* launches."""
-    for words in commands(words_of(command_of(run.context, action).raw), words_of):
+    for words in commands(shell_words(command_of(run.context, action).raw), shell_words):
         if words[:2] == ["ros2", "launch"]:
             end = next((number for number, word in enumerate(words) if SHELL.match(word)), None)
             _launch(run, action, conditions, _without_options(words[2:end]))

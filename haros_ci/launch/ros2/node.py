@@ -4,11 +4,11 @@
 from __future__ import annotations
 
 import re
-import shlex
 from dataclasses import replace
 
 from haros_ci.graph.remap_rules import written_rule
 from haros_ci.graph.ros2_process import from_arguments, ros_arguments
+from haros_ci.graph.words import shell_words
 from haros_ci.launch.ros2 import python_programs
 from haros_ci.launch.ros2.context import NAMESPACE, Context
 from haros_ci.launch.ros2.in_shells import commands
@@ -93,7 +93,7 @@ def full_name(started: LaunchedNode) -> str:
 def processes(context: Context, action: Action, conditions: tuple[Condition, ...]) -> tuple[LaunchedNode, ...]:
     """The nodes that a process is, or starts: ``ros2 run package executable ...``, also in a line of a shell, or a package's executable by its path."""
     cmd = command_of(context, action)
-    every = (_process(context, action, conditions, cmd, words) for words in commands(words_of(cmd.raw), words_of))
+    every = (_process(context, action, conditions, cmd, words) for words in commands(shell_words(cmd.raw), shell_words))
     return tuple(node for node in every if node is not None)
 
 
@@ -137,7 +137,7 @@ def command_of(context: Context, action: Action) -> Text:
 
 def loading(context: Context, action: Action, conditions: tuple[Condition, ...]) -> LaunchedNode | None:
     """What ``ros2 control load_controller ...`` asks a controller manager for, of kind ``loading``; None for other commands."""
-    words = words_of(command_of(context, action).raw)
+    words = shell_words(command_of(context, action).raw)
     if words[:2] != ["ros2", "control"] or len(words) < 3 or words[2] not in LOADING:
         return None
     end = next((number for number, word in enumerate(words) if SHELL.match(word)), len(words))
@@ -194,7 +194,7 @@ def split_arguments(text: str) -> tuple[str, str]:
     own: list[str] = []
     ros: list[str] = []
     within = False
-    for word in words_of(text):
+    for word in shell_words(text):
         if word == "--ros-args":
             within = True
         elif word == "--" and within:
@@ -208,7 +208,7 @@ def argument_rules(context: Context, text: str, location: Location) -> tuple[Par
     """The parameters of ROS arguments, in order; on the command line they stand before those of the launch file."""
     found: list[ParameterRule] = []
     flag = ""
-    for word in words_of(text):
+    for word in shell_words(text):
         if flag == "--params-file":
             path = unknown("a part of the path is not known") if MARK in word else literal(word)
             found.extend(file_rules(context, path, False, location))
@@ -220,23 +220,10 @@ def argument_rules(context: Context, text: str, location: Location) -> tuple[Par
     return tuple(found)
 
 
-def words_of(text: str) -> list[str]:
-    """*text* as a shell parts it; what stands for a directory is no place to part."""
-    guarded = text.replace("$(find-pkg-share ", "$(find-pkg-share\ue001").replace(
-        "$(find-pkg-prefix ", "$(find-pkg-prefix\ue001"
-    )
-    guarded = guarded.replace("$(workspace ", "$(workspace\ue001")
-    try:
-        words = shlex.split(guarded)
-    except ValueError:
-        words = guarded.split()
-    return [word.replace("\ue001", " ") for word in words]
-
-
 def _line(words: list[str]) -> str:
     """*words* in a row, quoted where they need it to be parted again."""
     return " ".join(
-        word if word and words_of(word) == [word] else "'" + word.replace("'", "'\"'\"'") + "'" for word in words
+        word if word and shell_words(word) == [word] else "'" + word.replace("'", "'\"'\"'") + "'" for word in words
     )
 
 
