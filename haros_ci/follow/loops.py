@@ -289,7 +289,7 @@ def _listed(walk: Walk, frame: Frame, iterable: Expression) -> tuple[Sequence | 
 
 
 def _one_function(items: list[Value | Cell]) -> Value | None:
-    """One of the *items*, if all are functions, and no more than may be told apart: what is called is one of them."""
+    """One of the *items*, if all are functions, and few enough to be kept apart: what is called is one of them."""
     values = [item.value if isinstance(item, Cell) else item for item in items]
     if not all(isinstance(value, Callable) for value in values):
         return None
