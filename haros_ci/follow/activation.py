@@ -212,7 +212,7 @@ def bind(
         if inner.source.separator != ".":
             value = conversions.in_braces(value, kind)
         is_open = parameter.type.name in ("", "auto") or parameter.type.name in function.templates
-        if isinstance(value, (Sequence, Mapped)) or argument.cell is not None:
+        if isinstance(value, (Sequence, Mapped)) or argument.cell is not None or argument.is_lent:
             value = copies.passed(walk, inner, value, kind, argument, is_open)
         if kind.name and isinstance(value, Known) and issubclass(value.kind, str) and not is_smart_pointer(kind):
             owner = walk.class_of(kind.name, inner.source) if kind.name not in STRINGS else None

@@ -1,0 +1,93 @@
+# SPDX-License-Identifier: Apache-2.0
+"""C++ that generated programs had when they ran beside the model (tests/bench/run_oracle_cpp.py), class by class."""
+
+from __future__ import annotations
+
+import pytest
+from follow_kit import cpp
+
+
+def made(body: str, before: str = "") -> list[str]:
+    """The publishers of a program, ``!`` for those that are ruled out, ``*`` for those that are made under a condition."""
+    found = []
+    for end in cpp(body, before).endpoints:
+        is_conditional = end.conditions or end.early_ways or any(one.field == "conditions" for one in end.unknowns)
+        if end.kind == "publishers":
+            found.append(end.name + ("!" if end.is_ruled_out else "*" if is_conditional else ""))
+    return sorted(found)
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        # a part of a std::string is what stands behind a position
+        ('std::string(std::string("hub"), 1)', "/?"),
+        ("std::string(named(), 1)", "/?"),
+        ("std::string(s, 1)", "/ub"),
+        ("std::string(a ? s : t, 1)", "/?"),
+        # of an array of characters it is the first ones
+        ('std::string("hub", 1)', "/h"),
+        ("std::string(s.c_str(), 1)", "/h"),
+        ("std::string(s.data(), 2)", "/hu"),
+        ("std::string(c, 2)", "/hu"),
+        ('std::string("hub", 1, 1)', "/u"),
+        ("std::string(s, 1, 1)", "/u"),
+        ('std::string(std::string("hub"), 1, 1)', "/u"),
+        ("std::string(2, 'c')", "/cc"),
+    ],
+)
+def test_a_part_of_a_text_by_one_number(text: str, expected: str) -> None:
+    before = 'std::string named() { return "hub"; }\n'
+    body = f'std::string s = "hub", t = "gear"; bool a = x(); const char* c = "hub";\nADV({text}, 1);'
+    assert [name.rstrip("*") for name in made(body, before)] == [expected]
+
+
+ITEM = (
+    'struct I { std::string n; void set(const std::string& s) { n = s; } };\nI larger(I i) { i.n += "x"; return i; }\n'
+)
+ITEM += 'I& same(I& i) { return i; }\nvoid grow(I& i) { i.n += "x"; }\n'
+ITEMS = 'std::vector<I> v{{"a"}};\n'
+MAP = 'std::map<std::string, std::string> m{{"k", "a"}};\n'
+
+
+@pytest.mark.parametrize(
+    ("body", "expected"),
+    [
+        # a parameter, a variable or an element that a loop copies is another one
+        (ITEMS + "larger(v.back());\nADV(v[0].n, 1);", "/a"),
+        (ITEMS + "larger(v.at(0));\nADV(v[0].n, 1);", "/a"),
+        (ITEMS + "larger(v[0]);\nADV(v[0].n, 1);", "/a"),
+        ('I i{"a"};\nlarger(same(i));\nADV(i.n, 1);', "/a"),
+        (ITEMS + 'auto f = [](I i) { i.n = "x"; };\nf(v.front());\nADV(v[0].n, 1);', "/a"),
+        (ITEMS + 'auto c = *v.begin();\nc.n = "x";\nADV(v[0].n, 1);', "/a"),
+        (ITEMS + 'auto it = v.begin();\nauto c = *it;\nc.n = "x";\nADV(v[0].n, 1);', "/a"),
+        (MAP + 'auto c = *m.begin();\nc.second = "x";\nADV(m["k"], 1);', "/a"),
+        (MAP + 'for (auto c : m) c.second = "x";\nADV(m["k"], 1);', "/a"),
+        (MAP + 'for (auto [k, c] : m) c = "x";\nADV(m["k"], 1);', "/a"),
+        (ITEMS + 'for (auto c : v) c.n.append("x");\nADV(v[0].n, 1);', "/a"),
+        (ITEMS + 'for (auto c : v) c.set("x");\nADV(v[0].n, 1);', "/a"),
+        (ITEMS + "for (auto c : v) grow(c);\nADV(v[0].n, 1);", "/a"),
+        (ITEMS + 'for (auto c : v) { auto& d = c; d.n = "x"; }\nADV(v[0].n, 1);', "/a"),
+        # what refers to it is the same one
+        (ITEMS + "grow(v.back());\nADV(v[0].n, 1);", "/ax"),
+        (ITEMS + "grow(v[0]);\nADV(v[0].n, 1);", "/ax"),
+        ('I i{"a"};\ngrow(same(i));\nADV(i.n, 1);', "/ax"),
+        (ITEMS + 'auto& c = *v.begin();\nc.n = "x";\nADV(v[0].n, 1);', "/x"),
+        (ITEMS + 'auto it = v.begin();\nit->n = "x";\nADV(v[0].n, 1);', "/x"),
+        (MAP + 'for (auto& [k, c] : m) c += "x";\nADV(m["k"], 1);', "/ax"),
+        (MAP + 'auto& [k, c] = *m.begin();\nc += "x";\nADV(m["k"], 1);', "/ax"),
+        (MAP + 'for (auto& c : m) c.second = "x";\nADV(m["k"], 1);', "/x"),
+        ('std::pair<std::string, int> p("a", 1);\nauto& [n, i] = p;\nn += "x";\nADV(p.first, 1);', "/ax"),
+        ('std::pair<std::string, int> p("a", 1);\nauto [n, i] = p;\nn += "x";\nADV(p.first, 1);', "/a"),
+        ('I i{"a"};\nauto& [n] = i;\nn += "x";\nADV(i.n, 1);', "/ax"),
+        (MAP + "for (const auto& [k, c] : m) ADV(k + c, 1);", "/ka"),
+        ('std::vector<I*> p;\np.push_back(new I{"a"});\nfor (auto c : p) c->set("x");\nADV(p[0]->n, 1);', "/x"),
+        (
+            'std::vector<std::shared_ptr<I>> p;\np.push_back(std::make_shared<I>());\nfor (auto c : p) c->set("x");\nADV(p[0]->n, 1);',
+            "/x",
+        ),
+        (ITEMS + "for (auto c : v) ADV(c.n, 1);", "/a"),
+    ],
+)
+def test_what_is_copied_and_what_refers_to_it(body: str, expected: str) -> None:
+    assert [name.rstrip("*") for name in made(body, ITEM)] == [expected]
