@@ -42,6 +42,36 @@ def test_a_part_of_a_text_by_one_number(text: str, expected: str) -> None:
     assert [name.rstrip("*") for name in made(body, before)] == [expected]
 
 
+#: What stands behind a return that is taken is there under its condition, so one level more.
+DEEPER = 'void f(ros::NodeHandle& nh, const std::string& n, int d) {\nif (d <= 0) return;\nADV(n, 1);\nf(nh, n + "/d", d - 1);\n}\n'
+LATER = (
+    'void f(ros::NodeHandle& nh, const std::string& n, int d) {\nif (d > 1) f(nh, n + "/d", d - 1);\nADV(n, 1);\n}\n'
+)
+AGAIN = 'void f(ros::NodeHandle& nh, int d) {\nADV("a", 1);\nif (x()) f(nh, d + 1);\n}\n'
+OPEN = 'void f(ros::NodeHandle& nh, const std::string& n) {\nADV(n, 1);\nif (x()) f(nh, n + "/d");\n}\n'
+ENDLESS = 'void f(ros::NodeHandle& nh) {\nADV("a", 1);\nf(nh);\n}\n'
+
+
+@pytest.mark.parametrize(
+    ("before", "call", "expected", "is_open"),
+    [
+        (DEEPER, 'f(nh, "a", 3);', ["/a", "/a/d", "/a/d/d", "/a/d/d/d"], False),
+        (LATER, 'f(nh, "a", 4);', ["/a", "/a/d", "/a/d/d", "/a/d/d/d"], False),
+        # where what is not known decides, it is said that there may be more
+        (OPEN, 'f(nh, "a");', ["/a", "/a/d"], True),
+        # unless calls inside make nothing new
+        (AGAIN, "f(nh, 1);", ["/a"], False),
+        (ENDLESS, "f(nh);", ["/a"], False),
+        (DEEPER, 'f(nh, "a", 1);', ["/a", "/a/d"], False),
+    ],
+)
+def test_functions_that_call_themselves(before: str, call: str, expected: list[str], is_open: bool) -> None:
+    written = before.replace("ADV(", "nh.advertise<std_msgs::String>(")
+    node = cpp(call, written)
+    assert [name.rstrip("*") for name in made(call, written)] == expected
+    assert any(unknown.field == "endpoints" for unknown in node.unknowns) == is_open
+
+
 ITEM = (
     'struct I { std::string n; void set(const std::string& s) { n = s; } };\nI larger(I i) { i.n += "x"; return i; }\n'
 )
