@@ -3,8 +3,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from functools import partial
+from collections.abc import Callable as Function_
+from functools import partial, reduce
 
 from haros_ci import syntax
 from haros_ci.follow import (
@@ -26,7 +26,7 @@ from haros_ci.follow.walk import TURNS, Walk
 from haros_ci.model.location import Location
 from haros_ci.syntax import Block, Expression, Type
 from haros_ci.syntax.walk import everything
-from haros_ci.values.abstract import Cell, Known, Object, Opaque, Value, tick
+from haros_ci.values.abstract import Callable, Cell, Known, Object, Opaque, Sequence, Value, join, tick
 
 #: Steps after which the turns of a loop are no longer gone through one by one; those of rehearsals in it that do not count.
 LONG, REHEARSED = 2_000, 8_000
@@ -37,25 +37,12 @@ TOO_LONG = f"{BOUND}{LONG} steps for the turns of a loop is reached"
 TOO_MANY = f"{BOUND}{TURNS} turns of a loop is reached"
 TOO_MANY_ITEMS = f"{BOUND}{TURNS * 4} elements of a loop is reached"
 TOO_DEEP = f"{BOUND}loops in loops is reached"
+CHANGED = "an element of a list that is changed while it is gone through"
 #: Functions that read a character that they are given.
 READING = frozenset(
     f"{space}{name}"
     for space in ("", "::", "std::")
-    for name in (
-        *(
-            "toupper",
-            "tolower",
-            "isalnum",
-            "isalpha",
-            "isdigit",
-            "islower",
-            "isupper",
-            "isspace",
-            "ispunct",
-            "isxdigit",
-        ),
-        "to_string",
-    )
+    for name in (*"toupper tolower isalnum isalpha isdigit islower isupper isspace ispunct isxdigit to_string".split(),)
 )
 #: Why an element of a list that is empty as things are may be there all the same.
 NAMED = "the list is a matter of parameters"
@@ -99,7 +86,7 @@ def loop(walk: Walk, frame: Frame, statement: syntax.Loop) -> str:
 
 
 def _turned(
-    walk: Walk, frame: Frame, statement: syntax.Loop, loop: Loop, one: Callable[[], str], after: Callable[[], None]
+    walk: Walk, frame: Frame, statement: syntax.Loop, loop: Loop, one: Function_[[], str], after: Function_[[], None]
 ) -> str | None:
     """Go through a loop turn by turn, as long as that is known and worth it: how it ends; None if that is not seen."""
     test, before = statement.test, (walk.steps - walk.aside, walk.quiet_steps)
@@ -155,7 +142,12 @@ def _holds(walk: Walk, frame: Frame, test: Expression | None) -> bool | None:
 
 
 def _counted(
-    walk: Walk, frame: Frame, loop: Loop, number: int, body: Callable[[], str], after: Callable[[], None] | None = None
+    walk: Walk,
+    frame: Frame,
+    loop: Loop,
+    number: int,
+    body: Function_[[], str],
+    after: Function_[[], None] | None = None,
 ) -> str:
     """The turn of that *number*, where they are gone through one by one."""
     walk.turns *= 2
@@ -244,6 +236,7 @@ def _each(walk: Walk, frame: Frame, statement: syntax.Each) -> str:
     items, others = static_types.some_elements(walk, frame, iterable)
     if walk.is_raised:
         return NEXT
+    listed, before = _listed(walk, frame, iterable) if items else (None, None)
     resolved = walk.type_in(kind, frame)
 
     def turn(value: Value | Cell) -> str:
@@ -282,6 +275,7 @@ def _each(walk: Walk, frame: Frame, statement: syntax.Each) -> str:
             doubt = NAMED
             unknown = Opaque(NAMED, Location(frame.source.path, line), _element_type(walk, frame, iterable, resolved))
         if items and (walk.turns >= widening.NESTED or len(items) > TURNS * 4):
+            unknown = unknown or _one_function(items)
             unknown = unknown or Opaque(_too_much(walk), Location(frame.source.path, line), resolved)
             items = []
         known = len(walk.made)
@@ -290,6 +284,8 @@ def _each(walk: Walk, frame: Frame, statement: syntax.Each) -> str:
             forget_dead(walk, known)
             if ended != NEXT:
                 return _leave(walk, current, goes_on=False, ended=ended)
+        if listed is not None and listed.content.value is not before and unknown is None:
+            unknown = Opaque(CHANGED, Location(frame.source.path, line), resolved)
         if unknown is not None:
             current.turn = 0
             matters = _matters(walk, frame, body, None)
@@ -298,6 +294,23 @@ def _each(walk: Walk, frame: Frame, statement: syntax.Each) -> str:
             with walk.doubted(doubt):
                 widening.widened(walk, frame, current, loads or matters, line, partial(turn, unknown))
     return _leave(walk, current, goes_on=True)
+
+
+def _listed(walk: Walk, frame: Frame, iterable: Expression) -> tuple[Sequence | None, object]:
+    """The list of Python that a name stands for, and its elements: a loop sees what its turns change in it."""
+    is_named = frame.source.separator == "." and isinstance(iterable, (syntax.Name, syntax.Member))
+    cell = expressions.cell_of(walk, frame, iterable) if is_named else None
+    value = cell.value if cell is not None else None
+    return (value, value.content.value) if isinstance(value, Sequence) else (None, None)
+
+
+def _one_function(items: list[Value | Cell]) -> Value | None:
+    """One of the *items*, if all are functions, and no more than may be told apart: what is called is one of them."""
+    values = [item.value if isinstance(item, Cell) else item for item in items]
+    if not all(isinstance(value, Callable) for value in values):
+        return None
+    joined = reduce(join, values)
+    return None if isinstance(joined, Opaque) else joined
 
 
 def _too_much(walk: Walk) -> str:
@@ -309,7 +322,7 @@ def _element_type(walk: Walk, frame: Frame, iterable: Expression, written: Type)
     return static_types.element_type(walk, frame, iterable) if written.name in ("", "auto") else written
 
 
-def _possible(walk: Walk, frame: Frame, loop: Loop, turns: list[Callable[[], str]]) -> None:
+def _possible(walk: Walk, frame: Frame, loop: Loop, turns: list[Function_[[], str]]) -> None:
     """Turns for elements that a list has on some paths: what these make and leave behind may be so."""
     mark = walk.state.mark()
     for turn in turns:

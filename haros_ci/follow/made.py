@@ -164,7 +164,7 @@ def make(walk: Walk, made: MadeEntity) -> None:
         if known.is_behind != made.is_behind:  # on one of the ways it is come to
             made = replace(made, is_behind=False)
             counting, rest = (other, known) if known.is_behind else (known, other)
-            if counting.dead <= rest.dead:
+            if counting.dead == rest.dead:
                 conditions, unknowns = counting.conditions, counting.unknowns
             unknowns = tuple(unknown for unknown in unknowns if unknown[:2] != ("conditions", BEHIND))
         if known.type != made.type or known.is_strict != made.is_strict:

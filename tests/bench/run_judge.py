@@ -22,18 +22,24 @@ class Run:
 
 
 def full(name: str) -> str:
-    """A name as the node ``/n`` has it."""
-    return name if name.startswith("/") else f"/{name}"
+    """A name as the node ``/n`` has it (rospy/names.py, canonicalize_name)."""
+    return "/" + re.sub(r"/+", "/", name).strip("/")
 
 
 def admits(pattern: str, name: str) -> bool:
-    return re.fullmatch("".join(".*" if c == "?" else re.escape(c) for c in pattern), name, re.DOTALL) is not None
+    parts = (
+        "(?:.*/)?" if part == "?/" else ".*" if part == "?" else re.escape(part)
+        for part in re.findall(r"(?<=/)\?/|.", pattern, re.DOTALL)
+    )
+    return re.fullmatch("".join(parts), name, re.DOTALL) is not None
 
 
 def compare(found: Architecture, runs: Sequence[Run]) -> tuple[list[str], Counter[str]]:
     """Where a model disagrees with the runs of its program, and counts."""
     counts: Counter[str] = Counter()
     nodes = [node for configuration in found.configurations for node in configuration.nodes]
+    if not nodes and not any(one.made for one in runs):  # a program that makes nothing is left out
+        return [], counts
     if len(nodes) != 1:
         return [f"{len(nodes)} nodes"], counts
     (node,) = nodes
@@ -43,7 +49,7 @@ def compare(found: Architecture, runs: Sequence[Run]) -> tuple[list[str], Counte
     whole = [one for one in runs if not one.error]
     made = {(kind, full(name), type_) for one in runs for kind, name, type_, _ in one.made}
     for kind, name, type_ in sorted(made):
-        if re.search(r"//|[^\w/]", name) or not name[1:] or name.endswith("/"):
+        if re.search(r"[^\w/]", name) or not name[1:]:
             counts["names that are none"] += 1
             continue
         alike = [e for e in ends if e.kind == kind and admits(e.name, name)]
@@ -66,12 +72,11 @@ def compare(found: Architecture, runs: Sequence[Run]) -> tuple[list[str], Counte
             for one in whole
         ]
         is_conditional = end.conditions or end.early_ways or any(one.field == "conditions" for one in end.unknowns)
-        line = end.location and end.location.line
         if whole and not is_conditional and not all(times):
-            problems.append(f"phantom: {end.kind} {end.name} {end.type} line {line}")
+            problems.append(f"phantom: {end.kind} {end.name} {end.type} line {end.location and end.location.line}")
         elif whole and not any(times):
             counts["never"] += 1
             problems.append(
-                f"never: {end.kind} {end.name} {end.type} line {line} {[c.condition for c in end.conditions]}"
+                f"never: {end.kind} {end.name} {end.type} line {end.location and end.location.line} {[c.condition for c in end.conditions]}"
             )
     return problems, counts

@@ -160,6 +160,13 @@ class Program:
                 f'{one}.split("/")[0]',
                 f"{one}.title()",
                 f'{one}.partition("_")[2]',
+                f'"".join(w for w in {one} if w != "a")',
+                f'"%(a)s_%(b)s" % {{"a": {one}, "b": {self.of("int", scope, depth)}}}',
+                f'{one}.rsplit("_", 1)[0]',
+                f"{one}[::-1]",
+                f"{one}.lower().capitalize()",
+                f"{one}.zfill(5)",
+                f'(lambda t: t + "_x")({one})',
                 f"str({one})",
             )
         )
@@ -296,7 +303,8 @@ class Program:
         ways = [self._make] * 4 + [self._assign] * 5 + [self._change] * 2
         if scope.depth < 3:
             ways += [self._if] * 3 + [self._for] * 3 + [self._while, self._try, self._with, self._nested]
-        ways += [self._plain_call, self._leave]
+            ways += [self._stored, self._endless, self._match, self._table, self._generator, self._counter]
+        ways += [self._plain_call, self._leave, self._spread, self._timer]
         return self.random.choice(ways)(scope, indent)
 
     def make(self, scope: Scope) -> str:
@@ -342,6 +350,9 @@ class Program:
                             f"{name} += [{word}]",
                             f"{name}.sort()",
                             f"{name}.reverse()",
+                            f"{name}.append({name}.pop(0))",
+                            f'{name}[:] = [w + "_c" for w in {name}]',
+                            f"del {name}[1:]",
                         ),
                         "dict": self.pick(
                             f'{name}["{self.random.choice(KEYS)}"] = {word}',
@@ -434,6 +445,95 @@ class Program:
             ]
         return [f"{indent}def {name}({parameter}):", *body, *calls]
 
+    def _stored(self, scope: Scope, indent: str) -> list[str]:
+        """Functions in a list that are called later."""
+        name, one, parameter = self.new("fs"), self.new("one"), self.new("a")
+        inner = scope.inner(in_loop=False, returns=None)
+        inner.add("str", parameter)
+        given = [f"lambda {parameter}: {self.make(inner)}" for _ in range(self.random.randint(1, 2))]
+        given += [f[0] for f in self.functions if f[1] == ("str",)][:1]
+        found = [f"{indent}{name} = [{', '.join(given)}]"]
+        if self.chance(0.3):
+            found.append(f"{indent}{name}.append(lambda {parameter}: {self.make(inner)})")
+        call = self.pick(f"{one}({self.of('str', scope)})", f"{one}(*[{self.of('str', scope)}])")
+        return [*found, f"{indent}for {one} in {name}:", f"{indent}    {call}"]
+
+    def _endless(self, scope: Scope, indent: str) -> list[str]:
+        name = self.new("c")
+        body = self.block(scope.inner(in_loop=False), indent + "    ", self.random.randint(1, 2))
+        return [
+            f"{indent}{name} = 0",
+            f"{indent}while True:",
+            f"{indent}    {name} += 1",
+            *body,
+            f"{indent}    if {name} > {self.random.randint(0, 2)}:",
+            f"{indent}        break",
+        ]
+
+    def _match(self, scope: Scope, indent: str) -> list[str]:
+        found = [f"{indent}match {self.of('str', scope)}:"]
+        for word in self.random.sample(WORDS, self.random.randint(1, 2)):
+            found += [f'{indent}    case "{word}":', *self.block(scope.inner(), indent + "        ", 1)]
+        if self.chance(0.6):
+            found += [f"{indent}    case _:", *self.block(scope.inner(), indent + "        ", 1)]
+        return found
+
+    def _table(self, scope: Scope, indent: str) -> list[str]:
+        """Functions in a dictionary, of which one is called by its key."""
+        parameter = self.new("a")
+        inner = scope.inner(in_loop=False, returns=None)
+        inner.add("str", parameter)
+        name, keys = self.new("table"), self.random.sample(KEYS, 2)
+        entries = ", ".join(f'"{key}": lambda {parameter}: {self.make(inner)}' for key in keys)
+        key = self.pick(f'"{keys[0]}"', f'"{keys[1]}" if {self.of("bool", scope)} else "{keys[0]}"')
+        return [f"{indent}{name} = {{{entries}}}", f"{indent}{name}[{key}]({self.of('str', scope)})"]
+
+    def _generator(self, scope: Scope, indent: str) -> list[str]:
+        name, one, inside = self.new("gen"), self.new("i"), self.new("w")
+        inner = scope.inner(in_loop=False, returns=None)
+        body = [f"{indent}    yield {self.of('str', inner)}"]
+        loop = inner.inner()
+        loop.add("str", inside)
+        if self.chance(0.5):
+            body += [
+                f"{indent}    for {inside} in {self.of('list', inner)}:",
+                f"{indent}        yield {self.of('str', loop)}",
+            ]
+        if self.chance(0.4):
+            body += [f"{indent}    if {self.of('bool', inner)}:", f"{indent}        yield {self.of('str', inner)}"]
+        after = scope.inner(in_loop=True)
+        after.add("str", one)
+        # A generator is read as a list of what it gives: nothing may change between two elements.
+        use = [f"{indent}for {one} in list({name}()):", *self.block(after, indent + "    ", 1)]
+        return [f"{indent}def {name}():", *body, *use]
+
+    def _counter(self, scope: Scope, indent: str) -> list[str]:
+        """A function inside that changes a variable around it."""
+        if scope.depth == 0 and not scope.names.get("str"):
+            return self._assign(scope, indent)
+        name, variable = self.new("count"), self.new("v")
+        inner = scope.inner(in_loop=False, returns=None)
+        inner.add("str", variable)
+        body = [f"{indent}    nonlocal {variable}", f"{indent}    {variable} = {self.of('str', inner)}"]
+        found = [f"{indent}{variable} = {self.of('str', scope)}", f"{indent}def {name}():", *body]
+        found += [f"{indent}{name}()"] * self.random.randint(1, 2)
+        scope.add("str", variable)
+        return found
+
+    def _spread(self, scope: Scope, indent: str) -> list[str]:
+        found = [f for f in self.functions if f[1] and all(kind in ("str", "int") for kind in f[1])]
+        if not found:
+            return self._assign(scope, indent)
+        name, types, _ = self.random.choice(found)
+        return [f"{indent}{name}(*[{', '.join(self.of(kind, scope) for kind in types)}])"]
+
+    def _timer(self, scope: Scope, indent: str) -> list[str]:
+        if not self.callbacks:
+            return self._assign(scope, indent)
+        return [
+            f"{indent}rospy.Timer(rospy.Duration({self.of('int', scope, 2)}), {self.random.choice(self.callbacks)})"
+        ]
+
     def _plain_call(self, scope: Scope, indent: str) -> list[str]:
         call = self._call(None, scope, 0)
         return [f"{indent}{call}"] if call else self._assign(scope, indent)
@@ -506,6 +606,10 @@ class Program:
             lines += self.block(inner, "        ", self.random.randint(1, 3))
             if method == "step" and self.chance(0.5):
                 lines.append(f"        self.more({self.of('str', inner)})")
+        if not base:
+            lines += ["    @property", "    def whole(self):", f"        return {self.of('str', own)}"]
+            lines += ["    @staticmethod", "    def plain(given):", "        return given + self_free(given)"]
+            lines += ["    @classmethod", "    def named(cls, given):", "        return cls.shared + given"]
         self.lines += [*lines, ""]
         return name
 
@@ -524,6 +628,9 @@ class Program:
             "    def wrapped(*args, **kwargs):",
             "        return function(*args, **kwargs)",
             "    return wrapped",
+            "",
+            "def self_free(given):",
+            '    return "_" + given[:1]',
             "",
         ]
         for kind in ("str", "list", "dict", "int"):
@@ -547,6 +654,23 @@ class Program:
                 body.append(f"    made = {one}({self.of('str', scope)})")
                 for _ in range(self.random.randint(0, 2)):
                     body.append(f"    made.{self.pick('step', 'more')}({self.of('str', scope)})")
+                if self.chance(0.4):
+                    name = self.pick(
+                        "made.whole",
+                        "made.plain(G1)",
+                        f"{one}.plain(G1)",
+                        f'{one}.named("x")',
+                        'getattr(made, "p_str")',
+                        "made.shared",
+                    )
+                    body.append(f"    rospy.Publisher({name}, String, queue_size=1)")
+                if self.chance(0.2):
+                    body += [
+                        f'    setattr(made, "p_str", {self.of("str", scope)})',
+                        "    rospy.Publisher(made.p_str, Bool, queue_size=1)",
+                    ]
+                if self.chance(0.2):
+                    body.append(f'    getattr(made, "{self.pick("step", "more")}")({self.of("str", scope)})')
         main = ["def main():", '    rospy.init_node("n")', *body, "    rospy.spin()", ""]
         self.lines += [*main, 'if __name__ == "__main__":', "    main()", ""]
         return "\n".join(self.lines)
@@ -581,6 +705,7 @@ def run(text: str, seed: int) -> Run:
                 callback(None)
 
     rospy = SimpleNamespace(Publisher=publisher, Subscriber=subscriber, init_node=lambda name: None, spin=spin)
+    rospy.Duration, rospy.Timer = float, lambda period, callback: callbacks.append(callback)
     own = re.sub(r"^(import rospy|from std_msgs.*|import random)$", "", text, flags=re.MULTILINE)
     names: dict[str, Any] = {
         "rospy": rospy,

@@ -104,3 +104,77 @@ f()
 def test_a_way_behind_a_return_that_is_taken_does_not_count(before: str, test: str, expected: list[str]) -> None:
     (end,) = ends(python(BEHIND.format(before=before, test=test)))
     assert [condition for _, condition, _, _ in conditions(end)] == expected
+
+
+@pytest.mark.parametrize(
+    ("change", "expected"),
+    [
+        ("v.append('b')", ["/?", "/a"]),
+        ("v.extend(['b', 'c'])", ["/?", "/a"]),
+        ("w.append('b')", ["/?", "/a"]),  # the same list
+        ("v += ['b']", ["/?", "/a"]),
+        ("u.append('b')", ["/a"]),
+        ("v = ['b']", ["/a"]),
+        ("v[:].append('b')", ["/a"]),
+        ("len(v)", ["/a"]),
+        ("sorted(v)", ["/a"]),
+    ],
+)
+def test_a_list_that_grows_while_it_is_gone_through(change: str, expected: list[str]) -> None:
+    text = f"u = ['u']\nv = ['a']\nw = v\nfor x in v:\n    rospy.Publisher(x, String, queue_size=1)\n    {change}\n    if len(v) > 3: break\n"
+    assert sorted(names(python(text))) == expected
+
+
+FINALLY = "def f(x):\n    try:\n        {}\n    except {}:\n        {}\n    finally:\n        rospy.Publisher(x, String, queue_size=1)\nf('a')\n"
+
+
+@pytest.mark.parametrize(
+    ("body", "handler", "ways"),
+    [
+        ("raise ValueError()", "ValueError", "return"),
+        ("return open(x)", "OSError", "return None"),
+        ("return open(x)", "OSError", "raise"),
+        ("return open(x)", "OSError", "pass"),
+        ("y = open(x)", "OSError", "return"),
+        ("raise ValueError()", "ValueError", "pass"),
+        ("raise ValueError()", "ValueError", "if x: return"),
+        ("for y in [1]: break", "ValueError", "return"),
+        ("while x: return", "ValueError", "raise"),
+    ],
+)
+def test_finally_is_done_however_the_block_is_left(body: str, handler: str, ways: str) -> None:
+    found = python(FINALLY.format(body, handler, ways))
+    assert names(found) == ["/a"]
+    assert all(not end.is_ruled_out for end in ends(found))
+
+
+def test_finally_in_a_loop() -> None:
+    text = (
+        "for x in ['a', 'b']:\n    try:\n        y = open(x)\n    except OSError:\n        continue\n    else:\n        break\n"
+        "    finally:\n        rospy.Publisher(x, String, queue_size=1)\n"
+    )
+    assert names(python(text)) == ["/a", "/b"]
+
+
+NESTED = """
+def f(fs):
+    for g in fs:
+        g("a")
+def one(x):
+    rospy.Publisher("/one/" + x, String, queue_size=1)
+def two(x):
+    rospy.Publisher("/two/" + x, String, queue_size=1)
+"""
+
+
+@pytest.mark.parametrize("depth", [0, 1, 2, 3, 4])
+def test_functions_of_a_list_are_called_in_loops_in_loops(depth: int) -> None:
+    loops = "".join(f"{' ' * level}for i{level} in ['x', 'y']:\n" for level in range(depth))
+    assert names(python(f"{NESTED}{loops}{' ' * depth}f([one, two])\n")) == ["/one/a", "/two/a"]
+
+
+@pytest.mark.parametrize("listed", ["[print, len]", "[]", "['one', 'two']"])
+def test_other_lists_call_none_of_them(listed: str) -> None:
+    loops = "".join(f"{' ' * level}for i{level} in ['x', 'y']:\n" for level in range(4))
+    found = python(f"{NESTED}{loops}    f({listed})\n")
+    assert names(found) == []

@@ -78,6 +78,76 @@ def left_by_finally(node: Tried) -> Tried | None:
     return made
 
 
+def done_before_leaving(node: Tried) -> Tried | None:
+    """*node* with what ``finally`` says also before each statement that leaves it; None where there is none, or there are many.
+
+    It is done behind what a ``return`` gives: that makes no difference to what it makes. What is raised in the block counts where nothing catches it there.
+    """
+    parts = (node.body, node.orelse, *(handler.body for handler in node.handlers))
+    if not node.finalbody or not any(
+        isinstance(one, _LEAVING) for part in parts for top in part for one in ast.walk(top)
+    ):
+        return None
+    left: Any = copy.copy(node)
+    leaving = _Leaving(node.finalbody)
+    left.body = leaving.block(node.body, raises=not node.handlers)
+    left.orelse = leaving.block(node.orelse, raises=True)
+    left.handlers = [copy.copy(handler) for handler in node.handlers]
+    for handler in left.handlers:
+        handler.body = leaving.block(handler.body, raises=True)
+    made: Tried = left
+    return made if 0 < leaving.count <= _MOST_LEAVING else None
+
+
+#: Statements that leave a block, and so many of them in one are looked at.
+_LEAVING = (ast.Return, ast.Raise, ast.Break, ast.Continue)
+_MOST_LEAVING = 8
+
+
+class _Leaving(ast.NodeTransformer):
+    """Puts statements before each one that leaves a block of a function itself."""
+
+    def __init__(self, before: list[ast.stmt]) -> None:
+        self.before = before
+        self.count = self._loops = 0
+        self._raises = True
+
+    def block(self, statements: list[ast.stmt], *, raises: bool) -> list[ast.stmt]:
+        """A copy of *statements* with the others put in; before ``raise`` only where it leaves the block."""
+        self._raises = raises
+        found = [self.visit(copy.deepcopy(one)) for one in statements]
+        return [one for item in found for one in (item if isinstance(item, list) else [item])]
+
+    def _leave(self, node: ast.stmt) -> list[ast.stmt]:
+        self.count += 1
+        return [*self.before, node]
+
+    def visit_Return(self, node: ast.Return) -> list[ast.stmt]:
+        return self._leave(node)
+
+    def visit_Raise(self, node: ast.Raise) -> list[ast.stmt] | ast.stmt:
+        return self._leave(node) if self._raises else node
+
+    def visit_Break(self, node: ast.Break) -> list[ast.stmt] | ast.stmt:
+        return node if self._loops else self._leave(node)
+
+    def visit_Continue(self, node: ast.Continue) -> list[ast.stmt] | ast.stmt:
+        return node if self._loops else self._leave(node)
+
+    def visit_For(self, node: ast.For | ast.AsyncFor | ast.While) -> ast.AST:
+        self._loops += 1
+        node.body = [one for item in map(self.visit, node.body) for one in (item if isinstance(item, list) else [item])]
+        self._loops -= 1
+        return node
+
+    visit_AsyncFor = visit_While = visit_For
+
+    def _keep(self, node: ast.AST) -> ast.AST:
+        return node
+
+    visit_FunctionDef = visit_AsyncFunctionDef = visit_ClassDef = visit_Lambda = _keep
+
+
 class _Raising(ast.NodeTransformer):
     """Puts ``raise`` in the place of each ``return`` of a function itself."""
 

@@ -9,7 +9,15 @@ from typing import Any, TypeVar, cast
 
 from haros_ci import syntax
 from haros_ci.extract.python.annotations import NO_TYPE
-from haros_ci.extract.python.blocks import Tried, bound_again, left_by_finally, may_enter, of_manager, suppressed_by
+from haros_ci.extract.python.blocks import (
+    Tried,
+    bound_again,
+    done_before_leaving,
+    left_by_finally,
+    may_enter,
+    of_manager,
+    suppressed_by,
+)
 from haros_ci.extract.python.definitions import annotation, define_class, define_function
 from haros_ci.extract.python.expressions import expression, operator_text
 from haros_ci.extract.python.imports import imported
@@ -204,6 +212,7 @@ def _try(node: Tried, scope: PythonScope, depth: int) -> Block:
     if left is not None:
         anything = syntax.Handler(*place(scope.file.source, node.finalbody[0]), "", "", NO_TYPE, ())
         return (syntax.Try(_try(left, scope, depth), (anything,)), *block(node.finalbody, scope, depth))
+    node = done_before_leaving(node) or node
     inner = conditionally(scope)
     tried = bound_again(node, scope) + block(node.body, inner, depth) + block(node.orelse, inner, depth)
     handlers = tuple([_handler(handler, inner, depth) for handler in node.handlers])
