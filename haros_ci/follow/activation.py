@@ -208,7 +208,7 @@ def bind(
             inner.declare(parameter.name, Cell(value, kind if kind.name else None))
             continue
         if "&" in kind.marks and argument.cell is not None and not kind.marks.rstrip("&").endswith("c"):
-            inner.declare(parameter.name, argument.cell)
+            inner.declare(parameter.name, copies.referred(walk, argument.cell, kind))
             continue
         value = argument.value
         if inner.source.separator != ".":

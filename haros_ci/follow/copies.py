@@ -169,6 +169,15 @@ def _perhaps(
     return Opaque(value.reason, value.location, syntax.Type(definition.name))
 
 
+def referred(walk: Walk, cell: Cell, kind: Type) -> Cell:
+    """What a reference of the resolved type *kind* is to the variable in *cell*: by that of a base class, it is seen as one of that class."""
+    value = cell.value
+    if not isinstance(value, Object) or value.definition is None or kind.name in ("", "auto", value.name):
+        return cell
+    owner = walk.class_of(kind.name, value.definition[0]) if "*" not in kind.marks else None
+    return cell if owner is None or owner[1] is value.definition[1] else Cell(value, kind)
+
+
 def static_copy(walk: Walk, frame: Frame, expression: Expression) -> Type | None:
     """The type of value that *expression* has, so that ``auto`` copies it; None where that is not known."""
     kind: Type | None = None

@@ -243,7 +243,7 @@ def _each(walk: Walk, frame: Frame, statement: syntax.Each) -> str:
         frame.scopes.append({})
         try:
             if isinstance(value, Cell) and "&" in resolved.marks:
-                frame.declare(name, value)
+                frame.declare(name, copies.referred(walk, value, resolved))
             else:
                 inner = value.value if isinstance(value, Cell) else value
                 if (

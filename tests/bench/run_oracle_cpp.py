@@ -864,14 +864,14 @@ class Program:
     def _object(self, scope: Scope, indent: str) -> list[str]:
         """An object that stays until the end."""
         one, name = self.random.choice(self.classes), self.new("o")
-        first = self.short(scope)
+        first = self.copied(scope)
         base = self.bases[one] or one
         way = self.random.randint(0, 4)
         found, sign = [f"{indent}{one}* {name} = new {one}({first});"], "->"
         if way == 1:
             found = [f"{indent}{base}* {name} = new {one}({first});"]
         elif scope.lasts and way == 2:
-            found, sign = [f"{indent}{one} {name}{self.pick('({})', '{{{}}}').format(self.of('str', scope))};"], "."
+            found, sign = [f"{indent}{one} {name}{self.pick('({})', '{{{}}}').format(self.copied(scope))};"], "."
             if self.chance(0.3):
                 other = self.new("o")
                 found.append(f"{indent}{base}& {other} = {name};")
@@ -1067,12 +1067,12 @@ class Program:
         kin = [one for one in self.classes if one == base or self.bases[one] == base]
         found = [f"{indent}std::vector<{base}*> {name};"]
         for _ in range(self.random.randint(1, 2)):
-            found.append(f"{indent}{name}.push_back(new {self.random.choice(kin)}({self.short(scope)}));")
+            found.append(f"{indent}{name}.push_back(new {self.random.choice(kin)}({self.copied(scope)}));")
         if scope.lasts and self.chance(0.6):
             found = [f"{indent}std::vector<std::{self.pick('unique', 'shared')}_ptr<{base}>> {name};"]
             for _ in range(self.random.randint(1, 2)):
                 made = f"std::make_{'unique' if 'unique' in found[0] else 'shared'}<{self.random.choice(kin)}>"
-                found.append(f"{indent}{name}.{self.pick('push_back', 'emplace_back')}({made}({self.short(scope)}));")
+                found.append(f"{indent}{name}.{self.pick('push_back', 'emplace_back')}({made}({self.copied(scope)}));")
         found.append(f"{indent}for (auto& each : {name}) each->{self.pick('step', 'more')}({self.copied(scope)});")
         scope.add("str", f"{name}[0]->label()", True)
         return found
@@ -1197,7 +1197,7 @@ class Program:
         scope.add("str", "first", True)
         start = []
         if base:
-            start.append(f"{base}({self.of('str', scope)})")
+            start.append(f"{base}({self.copied(scope)})")
         elif self.chance(0.7):
             start += ["p_str(first)", f"q_str({self.of('str', scope)})", f"p_int({self.literal('int')})"]
         colon = " : " + ", ".join(start) if start else ""

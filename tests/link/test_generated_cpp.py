@@ -121,3 +121,35 @@ MAP = 'std::map<std::string, std::string> m{{"k", "a"}};\n'
 )
 def test_what_is_copied_and_what_refers_to_it(body: str, expected: str) -> None:
     assert [name.rstrip("*") for name in made(body, ITEM)] == [expected]
+
+
+KIN = 'struct B { virtual ~B() {} std::string k; std::string n() { return "b"; } virtual std::string v() { return "b"; } };\n'
+KIN += 'struct D : B { std::string n() { return "d"; } std::string v() { return "d"; } };\n'
+KIN += "std::string f(B& b) { return b.n(); }\nstd::string g(const B& b) { return const_cast<B&>(b).n(); }\n"
+KIN += 'std::string h(D& d) { return d.n(); }\nstd::string w(B& b) { return b.v(); }\nvoid set(B& b) { b.k = "x"; }\n'
+KIN += "template <class T> std::string t(T& b) { return b.n(); }\n"
+
+
+@pytest.mark.parametrize(
+    ("body", "expected"),
+    [
+        ("D d;\nB& b = d;\nADV(b.n(), 1);", "/b"),
+        ("D d;\nADV(f(d), 1);", "/b"),
+        ("D d;\nstd::vector<D> e{d};\nfor (B& b : e) ADV(b.n(), 1);", "/b"),
+        # the class of the object decides where the method is virtual, or nothing names the base
+        ("D d;\nauto& b = d;\nADV(b.n(), 1);", "/d"),
+        ("D d;\nD& b = d;\nADV(b.n(), 1);", "/d"),
+        ("D d;\nB& b = d;\nADV(b.v(), 1);", "/d"),
+        ("D d;\nADV(w(d), 1);", "/d"),
+        ("D d;\nADV(h(d), 1);", "/d"),
+        ("D d;\nADV(t(d), 1);", "/d"),
+        ("D d;\nB& b = d;\nADV(d.n(), 1);", "/d"),
+        ("B d;\nB& b = d;\nADV(b.n(), 1);", "/b"),
+        # it is the same object
+        ("D d;\nset(d);\nADV(d.k, 1);", "/x"),
+        ('D d;\nB& b = d;\nb.k = "y";\nADV(d.k, 1);', "/y"),
+        ('D d;\nB& b = d;\nd.k = "y";\nADV(b.k, 1);', "/y"),
+    ],
+)
+def test_references_of_a_base_class(body: str, expected: str) -> None:
+    assert [name.rstrip("*") for name in made(body, KIN)] == [expected]
