@@ -61,6 +61,7 @@ extern "C" bool chance() {
 }
 inline void oracle_make(const char* kind, const std::string& ns, const std::string& name, const char* type, int queue) {
   if (++oracle_made > 500 || name.size() > 400) _exit(8);
+  if (name.empty()) return;
   std::string full = !name.empty() && name[0] == '/' ? name : ns + "/" + name;
   for (char& c : full) if (c == '\n' || c == '\t') c = ' ';
   oracle_write(std::string(kind) + "\t" + full + "\t" + type + "\t" + std::to_string(queue));

@@ -871,7 +871,7 @@ class Program:
         if way == 1:
             found = [f"{indent}{base}* {name} = new {one}({first});"]
         elif scope.lasts and way == 2:
-            found, sign = [f"{indent}{one} {name}{self.pick('({})', '{{{}}}').format(self.copied(scope))};"], "."
+            found, sign = [f"{indent}{one} {name}{self.pick('(({}))', '{{{}}}').format(self.copied(scope))};"], "."
             if self.chance(0.3):
                 other = self.new("o")
                 found.append(f"{indent}{base}& {other} = {name};")

@@ -153,3 +153,43 @@ KIN += "template <class T> std::string t(T& b) { return b.n(); }\n"
 )
 def test_references_of_a_base_class(body: str, expected: str) -> None:
     assert [name.rstrip("*") for name in made(body, KIN)] == [expected]
+
+
+STATIC = 'struct C { void step() { s = "x"; }\nstatic void put() { s = "x"; }\n%s };\n%sstruct D : C { };\n'
+STATIC += "struct E : C { ros::NodeHandle nh; E() { nh.advertise<std_msgs::String>(s, 1); } };\n"
+STATIC += "struct F : C { ros::NodeHandle nh; F() { nh.advertise<std_msgs::String>(C::s, 1); } };\n"
+STATIC += 'struct H : C { std::string s = "own"; };\n'
+STATIC += 'template <class T> struct T1 { static std::string t; };\ntemplate <class T> std::string T1<T>::t = "t";\n'
+
+
+@pytest.mark.parametrize(
+    "declared",
+    [('inline static std::string s = "base";', ""), ("static std::string s;", 'std::string C::s = "base";\n')],
+)
+@pytest.mark.parametrize(
+    ("body", "expected"),
+    [
+        ("C c;\nc.step();\nE e;", "/x"),
+        ("D d;\nd.step();\nE e;", "/x"),
+        ("D d;\nd.step();\nF f;", "/x"),
+        ("C::put();\nE e;", "/x"),
+        ('D::s = "x";\nE e;', "/x"),
+        ('D::s = "x";\nADV(C::s, 1);', "/x"),
+        ('C::s = "x";\nADV(D::s, 1);', "/x"),
+        ('D d;\nd.s = "x";\nC c;\nADV(c.s, 1);', "/x"),
+        # what is no static member of the base, or has not changed
+        ("E e;", "/base"),
+        ("D d;\nADV(d.s, 1);", "/base"),
+        ('H h;\nh.s = "x";\nADV(C::s, 1);', "/base"),
+    ],
+)
+def test_a_static_member_is_one_for_all_derived_classes(declared: tuple[str, str], body: str, expected: str) -> None:
+    before = STATIC % declared
+    assert [name.rstrip("*") for name in made(body, before)] == [expected]
+
+
+def test_a_static_member_that_another_file_defines() -> None:
+    header = "struct C { void step(); static std::string s; };\nstruct D : C { };\n"
+    other = '#include "c.h"\nstd::string C::s = "base";\nvoid C::step() { s = "x"; }\n'
+    node = cpp("D d;\nd.step();\nADV(C::s, 1);\nADV(D::s, 1);", '#include "c.h"\n', c__h=header, c__cpp=other)
+    assert {end.name for end in node.endpoints if end.kind == "publishers"} == {"/x"}
