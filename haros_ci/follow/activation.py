@@ -22,13 +22,15 @@ from haros_ci.follow import (
     members,
     methods,
     overloads,
+    recursion,
     setters,
     statements,
     template_arguments,
+    thrown,
 )
 from haros_ci.follow.frames import NEXT, RAISED, Frame
 from haros_ci.follow.libraries import library
-from haros_ci.follow.walk import DEPTH, Walk
+from haros_ci.follow.walk import Walk
 from haros_ci.index.index import EITHER
 from haros_ci.index.types import STRINGS, is_smart_pointer
 from haros_ci.model.location import Location
@@ -114,7 +116,7 @@ def invoke(
     if definition.body is None:
         found = library.unknown_call(walk, frame, definition.name, args)
         return conversions.converted(found, returns) if returns.name not in ("", "void", "auto") else found
-    if len(walk.active) >= DEPTH or walk.active.count(definition) > 1:
+    if recursion.is_over(walk, frame, inner, function, args):
         library.unknown_call(walk, frame, definition.name, args)
         inert.skipped(walk, inner, function, definition, returns, _with_bound(function.bound, args))
         return walk.opaque("calls are nested too deeply to be followed", frame, None, returns)
@@ -206,13 +208,13 @@ def bind(
             inner.declare(parameter.name, Cell(value, kind if kind.name else None))
             continue
         if "&" in kind.marks and argument.cell is not None and not kind.marks.rstrip("&").endswith("c"):
-            inner.declare(parameter.name, argument.cell)
+            inner.declare(parameter.name, copies.referred(walk, argument.cell, kind))
             continue
         value = argument.value
         if inner.source.separator != ".":
             value = conversions.in_braces(value, kind)
         is_open = parameter.type.name in ("", "auto") or parameter.type.name in function.templates
-        if isinstance(value, (Sequence, Mapped)) or argument.cell is not None:
+        if isinstance(value, (Sequence, Mapped)) or argument.cell is not None or argument.is_lent:
             value = copies.passed(walk, inner, value, kind, argument, is_open)
         if kind.name and isinstance(value, Known) and issubclass(value.kind, str) and not is_smart_pointer(kind):
             owner = walk.class_of(kind.name, inner.source) if kind.name not in STRINGS else None
@@ -290,7 +292,7 @@ def follow_body(walk: Walk, inner: Frame, function: Function) -> Value:
     trace = walk.index.trace
     if trace is not None:
         trace.bodies.add((inner.source.path, function.name))
-    walk.enter(function)
+    walk.enter(function, thrown.depth(walk))
     mark = inner.mark
     path = inner.source.path
     inner.is_start = walk.judged == len(walk.active) - 1
@@ -305,6 +307,7 @@ def follow_body(walk: Walk, inner: Frame, function: Function) -> Value:
     finally:
         walk.loops = loops
         walk.active.pop()
+        walk.entered.pop()
     walk.is_raised = walk.is_raised or (ended == RAISED and not inner.exits)
     if inner.exits:
         branches = list(inner.exits)

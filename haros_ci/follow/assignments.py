@@ -43,6 +43,8 @@ from haros_ci.values.abstract import (
 )
 
 TIES = frozenset(map(syntax.Name, ("std::tie", "boost::tie", "tie")))
+#: What a structured binding of C++ takes apart, which has no name.
+TAKEN_APART = syntax.Name("")
 #: Methods of containers that give one of their elements.
 ACCESSORS = frozenset(("at", "front", "back"))
 
@@ -239,6 +241,10 @@ def parts(walk: Walk, frame: Frame, expression: syntax.Subscript) -> tuple[Value
 
 def accessed(walk: Walk, frame: Frame, expression: syntax.Subscript | syntax.Call) -> Cell | None:
     """The cell of ``v[i]``, ``v.at(i)``, ``v.front()`` or ``v.back()``."""
+    if type(expression) is syntax.Subscript and expression.object == TAKEN_APART and frame.source.separator == "::":
+        taken = expressions.evaluate(walk, frame, expression.object)
+        if isinstance(taken, Object) and type(expression.index) is syntax.Number:
+            return tuples.part(taken, expression.index.value)
     if type(expression) is syntax.Subscript:
         return element(walk, frame, *parts(walk, frame, expression))
     callee = expression.callee

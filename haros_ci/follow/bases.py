@@ -36,3 +36,12 @@ def lineage(walk: Walk, source: Source, definition: Class) -> list[tuple[Source,
         walk.found[key] = found
     classes: list[tuple[Source, Class]] = walk.found[key]
     return classes
+
+
+def declaring(walk: Walk, source: Source, definition: Class, name: str) -> str:
+    """The name of the class that declares the static member *name* of a class: one variable for all that are derived from it.
+
+    That of a template has one for each of its specialisations: it counts as the class's own.
+    """
+    owners = [known for _, known in lineage(walk, source, definition) if any(f.name == name for f in known.fields)]
+    return owners[0].name if owners and not owners[0].templates else definition.name

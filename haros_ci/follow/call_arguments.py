@@ -4,24 +4,30 @@
 from __future__ import annotations
 
 from haros_ci import syntax
-from haros_ci.follow import conversions, expressions, handed_out, static_types
+from haros_ci.follow import assignments, conversions, expressions, handed_out, static_types
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.walk import Walk
 from haros_ci.index.types import INTEGERS, REALS
 from haros_ci.records import dataclass
 from haros_ci.syntax import Expression, Type
-from haros_ci.values.abstract import Cell, Known, Mapped, Value
+from haros_ci.values.abstract import Cell, Known, Mapped, Object, Value
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class PassedArgument:
-    """An argument: its value, its cell where it is an lvalue, its static type, its keyword in Python, whether it is ``std::ref(x)``."""
+    """An argument: its value, its cell where it is an lvalue, its static type, its keyword in Python, whether it is ``std::ref(x)``.
+
+    *is_array* says of a text of C++ that it is a ``const char*``: a literal, or what ``c_str()`` gives; *is_lent* that a call
+    gives a reference to it, as ``back()`` does.
+    """
 
     value: Value
     cell: Cell | None = None
     type: Type | None = None
     keyword: str = ""
     is_wrapped: bool = False
+    is_array: bool = False
+    is_lent: bool = False
 
 
 def is_scalar(kind: Type) -> bool:
@@ -59,6 +65,7 @@ def arguments(walk: Walk, frame: Frame, written: tuple[Expression, ...]) -> tupl
             keyword, expression = expression.name, expression.value
         wrapped = handed_out.wrapped(walk, expression) if type(expression) is syntax.Call else None
         expression = wrapped or expression
+        walk.references = None
         cell, value = expressions.located(walk, frame, expression)
         kind = cell.type if cell is not None and cell.type is not None else None
         if kind is None and type(expression) in TYPED:
@@ -66,8 +73,20 @@ def arguments(walk: Walk, frame: Frame, written: tuple[Expression, ...]) -> tupl
         if is_open and not keyword:
             result.append(PassedArgument(walk.opaque(UNPACKED, frame), keyword="*"))
             continue
-        result.append(PassedArgument(value, cell, kind or conversions.value_type(value), keyword, wrapped is not None))
+        shown, is_array = kind or conversions.value_type(value), _is_array(expression)
+        is_lent = value.__class__ is Object and type(expression) is syntax.Call and _is_lent(walk, expression)
+        result.append(PassedArgument(value, cell, shown, keyword, wrapped is not None, is_array, is_lent))
     return tuple(result)
+
+
+def _is_lent(walk: Walk, expression: syntax.Call) -> bool:
+    return walk.references is not None or syntax.name_of(expression.callee) in assignments.ACCESSORS
+
+
+def _is_array(expression: Expression) -> bool:
+    if type(expression) is syntax.Call and type(expression.callee) is syntax.Member:
+        return expression.callee.name in ("c_str", "data")
+    return type(expression) is syntax.String
 
 
 def _data(value: Value) -> dict[object, Cell] | None:

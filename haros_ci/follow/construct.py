@@ -51,7 +51,7 @@ def declare(walk: Walk, frame: Frame, variable: syntax.Variable) -> None:
             uncertain.exposed(walk, frame, value_node)
         if cell is not None:
             value = converting.converted(walk, frame, cell.value, resolved, location)
-            frame.declare(name, cell if value is cell.value else Cell(value, resolved))
+            frame.declare(name, copies.referred(walk, cell, resolved) if value is cell.value else Cell(value, resolved))
             return
     declared = resolved if resolved.name != "auto" else None
     value = initial(walk, frame, resolved, init, location)

@@ -15,6 +15,7 @@ from haros_ci.index.types import MAPS, SEQUENCES, STRINGS, is_smart_pointer, poi
 from haros_ci.model.location import Location
 from haros_ci.syntax import Class, Expression, Function, Type
 from haros_ci.syntax.walk import everything
+from haros_ci.values import iterators
 from haros_ci.values.abstract import Cell, Choice, Known, Mapped, Object, Opaque, Sequence, Text, Value
 
 #: Values inside values that are copied, and all of them together.
@@ -168,6 +169,15 @@ def _perhaps(
     return Opaque(value.reason, value.location, syntax.Type(definition.name))
 
 
+def referred(walk: Walk, cell: Cell, kind: Type) -> Cell:
+    """What a reference of the resolved type *kind* is to the variable in *cell*: by that of a base class, it is seen as one of that class."""
+    value = cell.value
+    if not isinstance(value, Object) or value.definition is None or kind.name in ("", "auto", value.name):
+        return cell
+    owner = walk.class_of(kind.name, value.definition[0]) if "*" not in kind.marks else None
+    return cell if owner is None or owner[1] is value.definition[1] else Cell(value, kind)
+
+
 def static_copy(walk: Walk, frame: Frame, expression: Expression) -> Type | None:
     """The type of value that *expression* has, so that ``auto`` copies it; None where that is not known."""
     kind: Type | None = None
@@ -176,6 +186,10 @@ def static_copy(walk: Walk, frame: Frame, expression: Expression) -> Type | None
     elif type(expression) is syntax.Conditional:
         return static_copy(walk, frame, expression.then)
     elif type(expression) is syntax.Dereference:
+        at = expressions.evaluate(walk, frame, expression.value)
+        if isinstance(at, Object) and "[of]" in at.fields:
+            kind = _element(at)
+            return kind.bare() if kind is not None and is_by_value(kind) else None
         cell = (
             expressions.cell_of(walk, frame, expression.value)
             if isinstance(expression.value, call_arguments.LVALUES)
@@ -202,6 +216,15 @@ def static_copy(walk: Walk, frame: Frame, expression: Expression) -> Type | None
     if kind is None or "*" in kind.marks or not is_by_value(kind.bare()):
         return None
     return kind.bare()
+
+
+def _element(at: Object) -> Type | None:
+    """The type of the element that an iterator leads to, if that is known."""
+    cell = iterators.pointed(at)
+    if cell is None or cell.type is not None:
+        return cell.type if cell is not None else None
+    is_pair = isinstance(cell.value, Object) and cell.value.name == PAIR
+    return syntax.Type(PAIR) if is_pair else iterators.kind(at)
 
 
 def taken(walk: Walk, frame: Frame, kind: Type, expression: Expression, value: Value) -> Value:
@@ -315,19 +338,3 @@ def captures(walk: Walk, frame: Frame, index: int) -> tuple[Function, tuple[synt
         function = syntax.replace(written, body=body[len(captured) :]) if captured else written
         found = walk.found[key] = (written, function, tuple(captured))
     return found[1], found[2]
-
-
-def changes(walk: Walk, statement: syntax.Each) -> bool:
-    """Whether the body of a loop may change a member of its variable, which is a copy of the element."""
-    key = ("sets", id(statement))
-    if key not in walk.found:
-        sets = (node for node in everything(statement.body) if type(node) is syntax.Assignment)
-        walk.found[key] = (any(_root(node.target) == statement.name for node in sets), statement)
-    return bool(walk.found[key][0])
-
-
-def _root(target: Expression) -> str:
-    """The variable of which a member or an element is assigned to; "" of all else."""
-    while isinstance(target, (syntax.Member, syntax.Subscript)):
-        target = target.object
-    return target.name if type(target) is syntax.Name else ""

@@ -59,10 +59,11 @@ STARTS = frozenset("on_init on_configure on_activate init initRequest initialize
 @dataclass(frozen=True, slots=True, eq=False)
 class Exit:
     """A way out: the *conditions* around it, from the entry on; *ends* is the loop of which it ends a turn, or the ``try``
-    whose block it leaves, None where it is the function."""
+    whose block it leaves, None where it is the function; *is_dead* if it is not taken as things are."""
 
     conditions: tuple[Condition, ...]
     ends: Loop | Trial | None = None
+    is_dead: bool = False
 
 
 def returns(walk: Walk, frame: Frame, value: Value, is_bare: bool) -> None:
@@ -72,12 +73,12 @@ def returns(walk: Walk, frame: Frame, value: Value, is_bare: bool) -> None:
     # The value is asked last: a parameter that does not matter here may be another one for the next node (decision 0023).
     is_failed = (frame.is_start or (not is_bare and _is_start(walk, frame))) and is_failure(value)
     if not is_failed:
-        frame.early.append(Exit(tuple(walk.conditions)))
+        frame.early.append(Exit(tuple(walk.conditions), None, frame.is_dead))
 
 
 def ends_turn(walk: Walk, frame: Frame, loop: Loop) -> None:
     """A ``break`` or ``continue`` of *loop* is followed."""
-    frame.early.append(Exit(tuple(walk.conditions), loop))
+    frame.early.append(Exit(tuple(walk.conditions), loop, frame.is_dead))
 
 
 def throws(walk: Walk, frame: Frame, trial: Trial) -> None:
@@ -103,27 +104,29 @@ def compiled(frame: Frame, since: int, depth: int, verdict: bool | None) -> None
         drop(frame, since)
     elif verdict:
         for number, way in enumerate(frame.early[since:], start=since):
-            frame.early[number] = Exit(way.conditions[:depth] + way.conditions[depth + 1 :], way.ends)
+            frame.early[number] = Exit(way.conditions[:depth] + way.conditions[depth + 1 :], way.ends, way.is_dead)
 
 
 def stand_behind(walk: Walk, frame: Frame, known: int) -> None:
     """What follows in this block stands behind the ways recorded after the first *known*."""
     depth = len(walk.conditions)
     for way in frame.early[known:]:
-        _stand_behind(walk, frame, way.conditions[depth:], depth)
+        added = _stand_behind(walk, frame, way.conditions[depth:], depth)
+        walk.holding += added and way.is_dead
 
 
-def _stand_behind(walk: Walk, frame: Frame, path: tuple[Condition, ...], depth: int) -> None:
-    """The same of one way, behind which not all of *path* holds; a doubt where that is not put together."""
+def _stand_behind(walk: Walk, frame: Frame, path: tuple[Condition, ...], depth: int) -> bool:
+    """The same of one way, behind which not all of *path* holds; a doubt where that is not put together. Whether there is one more condition."""
     if not path:
-        return
+        return False
     since = walk.conditions[depth:]
     behind = _behind(walk, frame, path, since)
     if behind is not None and len(walk.conditions) < MOST:
         walk.conditions += [behind] if behind not in since else []
-        return
+        return behind not in since
     reason = SEVERAL if behind is None else MANY
     walk.doubts += [reason] if reason not in walk.doubts else []
+    return False
 
 
 def _behind(walk: Walk, frame: Frame, path: tuple[Condition, ...], since: list[Condition]) -> Condition | None:

@@ -61,6 +61,8 @@ def global_cell(walk: Walk, source: Source, name: str, init: syntax.Init | None,
     """The one cell of a namespace-scope variable or static member, made when it is first used."""
     key = (source.path, name)
     cell = walk.globals.get(key)
+    if cell is None and init is None and (of := _defined(walk, source, name)) is not None:
+        cell = walk.globals[key] = global_cell(walk, of[0], name, of[1].init, kind)
     if cell is None:
         frame = Frame(source, name.rpartition(source.separator)[0])
         resolved = walk.type_in(kind, frame)
@@ -84,6 +86,14 @@ def global_cell(walk: Walk, source: Source, name: str, init: syntax.Init | None,
         walk.state.settle(mark, begun)
         walk.lasting.add(cell)
     return cell
+
+
+def _defined(walk: Walk, source: Source, name: str) -> tuple[Source, Field] | None:
+    """The definition in another file of a static member that *source* declares; None if there is none, or several differ."""
+    found = walk.index.near(walk.index.variables, name, source, walk.files) if source.separator == "::" else []
+    if not found or any(where.path == source.path or other.init != found[0][1].init for where, other in found):
+        return None
+    return found[0]
 
 
 def _is_container(kind: Type) -> bool:

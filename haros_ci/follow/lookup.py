@@ -9,6 +9,7 @@ from collections.abc import Sequence
 
 from haros_ci import syntax
 from haros_ci.follow import (
+    bases,
     conversions,
     initialised,
     members,
@@ -92,7 +93,9 @@ def _variable(walk: Walk, frame: Frame, name: str) -> tuple[Source, str, syntax.
                 if static is not None and static[1].is_static:
                     if specialisations.are_several(walk, frame, head):
                         return frame.source, candidate, syntax.Equals(syntax.Unknown(EITHER)), static[2]
-                    return static[0], candidate, static[1].init, static[2]
+                    one = f"{bases.declaring(walk, *owner, last)}::{last}"
+                    there = _variable(walk, frame, one) if one != candidate else None
+                    return there or (static[0], one, static[1].init, static[2])
     meant = walk.type_in(syntax.Type(name), frame).name if "::" not in name else name
     return _variable(walk, frame, meant) if meant != name and meant in walk.index.variables else None
 
@@ -152,8 +155,7 @@ def _inherited(walk: Walk, frame: Frame, this: Object, name: str, value: Value) 
         owner = walk.class_of(frame.scope, frame.source) or this.definition
         found = methods.class_method(walk, owner[0], owner[1], name) if owner is not None else None
         walk.found[key] = found if found is not None and found[1].kind == "function" else None
-    method = walk.found[key]
-    return Callable(*method) if method is not None else None
+    return Callable(*walk.found[key]) if walk.found[key] is not None else None
 
 
 def _is_virtual(walk: Walk, frame: Frame, value: Callable) -> bool:

@@ -7,7 +7,18 @@ from collections.abc import Callable as Function_
 from functools import partial, reduce
 
 from haros_ci import syntax
-from haros_ci.follow import beside, copies, expressions, follow, lookup, statements, static_types, thrown, widening
+from haros_ci.follow import (
+    beside,
+    copies,
+    expressions,
+    follow,
+    lookup,
+    loop_copies,
+    statements,
+    static_types,
+    thrown,
+    widening,
+)
 from haros_ci.follow.frames import BOUND, BREAK, NEXT, Frame, Loop
 from haros_ci.follow.libraries import gazebo
 from haros_ci.follow.made import forget_dead, go_back, keep
@@ -232,16 +243,21 @@ def _each(walk: Walk, frame: Frame, statement: syntax.Each) -> str:
         frame.scopes.append({})
         try:
             if isinstance(value, Cell) and "&" in resolved.marks:
-                frame.declare(name, value)
+                frame.declare(name, copies.referred(walk, value, resolved))
             else:
                 inner = value.value if isinstance(value, Cell) else value
-                if isinstance(inner, Object) and frame.source.separator == "::" and copies.changes(walk, statement):
+                if (
+                    isinstance(inner, Object)
+                    and frame.source.separator == "::"
+                    and "&" not in resolved.marks
+                    and loop_copies.changes(walk, statement)
+                ):
                     held = (
                         resolved
                         if resolved.name not in ("", "auto")
                         else _element_type(walk, frame, iterable, resolved)
                     )
-                    inner = copies.copied(walk, inner, held)
+                    inner = copies.copied(walk, inner, loop_copies.element_type(inner, held))
                 frame.declare(name, Cell(inner, resolved if resolved.name not in ("", "auto") else None))
             return statements.execute(walk, frame, body)
         finally:

@@ -73,9 +73,10 @@ def member(walk: Walk, value: Value, name: str, frame: Frame) -> Cell | None:
         if found is not None:
             where, declared, kind = found
             if declared.is_static:
-                return initialised.global_cell(
-                    walk, where, f"{definition.name}{where.separator}{name}", declared.init, kind
-                )
+                one = definition.name
+                if source.separator == "::":
+                    one = bases.declaring(walk, source, definition, name)
+                return initialised.global_cell(walk, where, f"{one}{where.separator}{name}", declared.init, kind)
             cell = value.fields[name] = Cell(walk.opaque(UNSET.format(name), frame, None, kind), kind)
         elif (held := dereferenced.led(walk, frame, value)) is not None:
             return member(walk, held, name, frame)

@@ -52,7 +52,7 @@ def in_place(walk: Walk, frame: Frame, block: Block) -> str:
 
     What stands behind an early way out does so under its opposite, to the end of the block.
     """
-    depth, doubts = len(walk.conditions), len(walk.doubts)
+    depth, doubts, holding = len(walk.conditions), len(walk.doubts), walk.holding
     try:
         for number in range(len(block)):
             walk.step()
@@ -70,6 +70,7 @@ def in_place(walk: Walk, frame: Frame, block: Block) -> str:
         return NEXT
     finally:
         del walk.conditions[depth:], walk.doubts[doubts:]
+        walk.holding = holding
 
 
 def _judged(walk: Walk, frame: Frame, block: Block, number: int) -> str:

@@ -70,7 +70,7 @@ class Trial:
 @contextmanager
 def tried(walk: Walk, frame: Frame, handlers: tuple[syntax.Handler, ...]) -> Iterator[Trial]:
     """Follow the block of a ``try`` inside; it begins where the state is now."""
-    trial = Trial(frame, walk.state.mark(), handlers, walk.dead, _depth(walk))
+    trial = Trial(frame, walk.state.mark(), handlers, walk.dead, depth(walk))
     was_dead, dead = frame.is_dead, walk.dead
     walk.trials.append(trial)
     try:
@@ -97,7 +97,7 @@ def throws(walk: Walk, names: tuple[str, ...] = ()) -> None:
     before = [(trial, len(trial.places) if len(trial.places) < PLACES else -1) for trial in walk.trials]
     may_throw(walk)
     for trial, count in reversed(before):
-        if len(trial.places) == count or _depth(walk) != trial.depth:
+        if len(trial.places) == count or depth(walk) != trial.depth:
             return
         if any(_catches(handler, names) for handler in trial.handlers):
             trial.is_left = trial.frame.is_dead = True
@@ -122,7 +122,7 @@ def is_read(walk: Walk, found: object, names: tuple[str, ...]) -> None:
         may_throw(walk)
 
 
-def _depth(walk: Walk) -> int:
+def depth(walk: Walk) -> int:
     """How many conditions there are around what is followed that are not known to hold, and doubts."""
     return len(walk.conditions) - walk.holding + len(walk.doubts)
 

@@ -9,6 +9,7 @@ from contextlib import contextmanager
 from typing import Any
 
 from haros_ci import syntax
+from haros_ci.follow import server
 from haros_ci.follow.command import Commands
 from haros_ci.follow.context import Context, Exact
 from haros_ci.follow.frames import Frame, Loop, looked_up_from
@@ -48,18 +49,6 @@ class OutOfSteps(Exception):
 
 class Renamed(Exception):
     """The node gives itself another name than the one that it is followed under."""
-
-
-def _inside(value: Value, path: str) -> Value | None:
-    """What is at *path* in a parameter that is a map; None if it is no map, or has nothing there."""
-    if not isinstance(value, Known):
-        return Opaque("it is inside a parameter that the node sets")
-    data = value.value
-    for part in path.split("/"):
-        if not isinstance(data, dict) or part not in data:
-            return None
-        data = data[part]
-    return Known(data)
 
 
 @dataclass(slots=True)
@@ -120,6 +109,8 @@ class Walk:
         default_factory=dict
     )
     active: list[Function] = field(default_factory=list)
+    #: Of each of these how many conditions were undecided, and how much was made, when it was called (``follow.recursion``).
+    entered: list[tuple[int, int]] = field(default_factory=list)
     #: What the node itself sets on the parameter server, by full name; of ROS 2 what its nodes declare and set, by theirs and that of the parameter.
     server: Cell[dict[str, Value] | Opaque] = field(default_factory=lambda: Cell({}))
     declared: Cell[dict[str, Held] | Opaque] = field(default_factory=lambda: Cell({}))
@@ -213,9 +204,10 @@ class Walk:
         if self.quiet_steps > self.most or self.steps - self.quiet_steps > self.most or self.state.is_full:
             raise OutOfSteps
 
-    def enter(self, function: Function) -> None:
-        """The body of a function is followed from here."""
+    def enter(self, function: Function, depth: int) -> None:
+        """The body of a function is followed from here, under so many conditions that are not decided."""
         self.active.append(function)
+        self.entered.append((depth, len(self.made)))
         if not self.quiet:
             self.invoked.add(id(function))
 
@@ -294,7 +286,7 @@ class Walk:
         above = name.rpartition("/")[0]
         while above and own:
             if above in own:
-                return _inside(own[above], name[len(above) + 1 :])
+                return server.inside(own[above], name[len(above) + 1 :])
             above = above.rpartition("/")[0]
         return self.context.parameter(name)
 

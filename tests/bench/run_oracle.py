@@ -24,6 +24,7 @@ from dataclasses import dataclass, field
 from types import SimpleNamespace
 from typing import Any
 
+from tests.bench.run_judge import Run, compare
 from tests.link.follow_kit import follow, python_files
 
 RUNS = 12
@@ -691,14 +692,6 @@ class Program:
         return "\n".join(self.lines)
 
 
-@dataclass
-class Run:
-    """What one run of a program made, by kind, name and type, each with its queue size; *error* if it did not come to its end."""
-
-    made: list[tuple[str, str, str, int | None]]
-    error: str = "it does not spin"
-
-
 def run(text: str, seed: int) -> Run:
     """Run a program of ours with something in rospy's place."""
     made: list[tuple[str, str, str, int | None]] = []
@@ -759,66 +752,9 @@ def run(text: str, seed: int) -> Run:
     return Run(made, "" if spun else "it does not spin")
 
 
-def full(name: str) -> str:
-    """A name as the node ``/n`` has it (rospy/names.py, canonicalize_name)."""
-    return "/" + re.sub(r"/+", "/", name).strip("/")
-
-
-def admits(pattern: str, name: str) -> bool:
-    parts = (
-        "(?:.*/)?" if part == "?/" else ".*" if part == "?" else re.escape(part)
-        for part in re.findall(r"(?<=/)\?/|.", pattern, re.DOTALL)
-    )
-    return re.fullmatch("".join(parts), name, re.DOTALL) is not None
-
-
 def judge(text: str, runs: Sequence[Run], ros: int = 1) -> tuple[list[str], Counter[str]]:
     """Where the model of a program disagrees with its runs, and counts."""
-    found = follow(python_files(text), ros)
-    counts: Counter[str] = Counter()
-    nodes = [node for configuration in found.configurations for node in configuration.nodes]
-    if not nodes and not any(one.made for one in runs):  # a program that makes nothing is left out
-        return [], counts
-    if len(nodes) != 1:
-        return [f"{len(nodes)} nodes"], counts
-    (node,) = nodes
-    ends = [end for end in node.endpoints if end.kind in CALLS[ros] and not end.implicit]
-    is_open = any(unknown.field == "endpoints" for unknown in node.unknowns)
-    problems: list[str] = []
-    whole = [one for one in runs if not one.error]
-    made = {(kind, full(name), type_) for one in runs for kind, name, type_, _ in one.made}
-    for kind, name, type_ in sorted(made):
-        if re.search(r"[^\w/]", name) or not name[1:]:
-            counts["names that are none"] += 1
-            continue
-        alike = [e for e in ends if e.kind == kind and admits(e.name, name)]
-        fits = [e for e in alike if e.type in (None, INTERFACES[ros].format(type_))]
-        counts["made"] += 1
-        if any("?" not in e.name for e in fits):
-            counts["made, name known"] += 1
-        if not fits:
-            problems.append(
-                f"missing: {kind} {name} {type_}" if not is_open else f"missing, said: {kind} {name} {type_}"
-            )
-        elif all(e.is_ruled_out for e in fits):
-            problems.append(f"ruled out: {kind} {name} {type_}")
-    for end in ends:
-        if end.is_ruled_out or "?" in end.name or end.type is None:
-            continue
-        counts["known"] += 1
-        times = [
-            any((k, full(n), INTERFACES[ros].format(t)) == (end.kind, end.name, end.type) for k, n, t, _ in one.made)
-            for one in whole
-        ]
-        is_conditional = end.conditions or end.early_ways or any(one.field == "conditions" for one in end.unknowns)
-        if whole and not is_conditional and not all(times):
-            problems.append(f"phantom: {end.kind} {end.name} {end.type} line {end.location and end.location.line}")
-        elif whole and not any(times):
-            counts["never"] += 1
-            problems.append(
-                f"never: {end.kind} {end.name} {end.type} line {end.location and end.location.line} {[c.condition for c in end.conditions]}"
-            )
-    return problems, counts
+    return compare(follow(python_files(text), ros), runs, INTERFACES[ros])
 
 
 def main(seed: int, count: int, show: bool, ros: int) -> int:

@@ -124,10 +124,12 @@ def _variable(unit: Unit, variable: declarations.Variable, depth: int, out: Stat
     out.append(syntax.Variable(declared.name, declared.type, init, line, column))
     if declared.node.kind_id in _PATTERN:
         names = [child for child in declared.node.children if child.is_named]
+        marks = declared.type.marks  # of a reference, what is set by its names is what it refers to
+        kind = syntax.Type("auto", (), "&") if "&" in marks and "c" not in marks else syntax.AUTO
         for number, child in enumerate(names):
             line, column = unit.position(child)
             part = syntax.Subscript(syntax.Name(""), syntax.Number(number))
-            out.append(syntax.Variable(unit.cut(child), syntax.AUTO, syntax.Equals(part), line, column))
+            out.append(syntax.Variable(unit.cut(child), kind, syntax.Equals(part), line, column))
 
 
 def _condition(unit: Unit, node: Node | None, depth: int, before: Statements) -> tuple[str, syntax.Expression]:

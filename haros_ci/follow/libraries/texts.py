@@ -69,7 +69,7 @@ def constructed(args: tuple[PassedArgument, ...]) -> Value:
             )
             if is_object:
                 return Known(data[0][numbers[0] :])
-            if args[0].cell is None or (type_ is not None and "*" in type_.marks):
+            if args[0].is_array or (type_ is not None and "*" in type_.marks):
                 return Known(data[0][: numbers[0]])
     return Opaque("a part of a text that is not known", None, kind)
 
