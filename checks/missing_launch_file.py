@@ -31,8 +31,11 @@ _ARGUMENT = regex(r"\$\((?:arg|var)[ \t]+[\w-]+[ \t]*\)")
 #: What begins the rest of a name, behind an argument.
 _SEPARATORS = ("_", "-", ".")
 #: What a launch file in Python opens to write it, and a variable that is given something.
-_WRITTEN = regex(r"\bopen\([ \t]*(\w+)[ \t]*,[ \t]*(?:mode[ \t]*=[ \t]*)?[\"'][wx]")
-_GIVEN = regex(r"^[ \t]*(\w+)[ \t]*=([^=\n][^\n]*)", re.MULTILINE)
+_WRITTEN = regex(
+    r"\bopen\([ \t]*(\w+)[ \t]*,[ \t]*(?:mode[ \t]*=[ \t]*)?[\"'][wx]|\bopen_output\([ \t]*(\w+)[ \t]*\)|\b(\w+)\.write_(?:text|bytes)\("
+    r"|\bPath\([ \t]*(\w+)[ \t]*\)\.write_(?:text|bytes)\("
+)
+_GIVEN = regex(r"^[ \t]*(\w+)[ \t]*=([^=\n][^\n(]{0,200}(?:\([^()]{0,400}\))?[^\n]*)", re.MULTILINE)
 _TEXT = regex(r"[\"']([^\"'\n]+)[\"']")
 #: A value of an environment variable stands at most so often in the name of a file.
 _VALUES = 3
@@ -112,7 +115,7 @@ def _made(system: System, use: FileUse) -> str:
 def _is_written(system: System, use: FileUse) -> bool:
     """Whether the launch file, in Python, opens the file to write it."""
     text = system.workspace.text(use.location.path) if system.workspace is not None else ""
-    names = {found[1] for found in _WRITTEN.finditer(text)}
+    names = {name for found in _WRITTEN.finditer(text) for name in found.groups() if name}
     ends = (end for name, value in _GIVEN.findall(text) if name in names for end in _TEXT.findall(value))
     return any(use.inner.endswith(end) for end in ends)
 
