@@ -61,6 +61,10 @@ def is_idle(node: SystemNode, rule: RemapRule) -> bool:
         return False
     if source.rpartition("/")[2] in COMMON or not node.is_launched:
         return False
+    if node.ros == 1 and (
+        source == node.name or any(end.raw.original_name.startswith(f"{source}/") for end in node.ends)
+    ):
+        return False  # roscpp remaps the namespace of a node handle, too, by its whole name (``NodeHandle::construct``)
     if any(end.name == rule.target_name for end in node.ends):
         return False  # the code may have resolved the name itself, and used what came out
     return not any(_may_be(end, source) for end in node.ends)
