@@ -124,8 +124,7 @@ def _variable(unit: Unit, variable: declarations.Variable, depth: int, out: Stat
     out.append(syntax.Variable(declared.name, declared.type, init, line, column))
     if declared.node.kind_id in _PATTERN:
         names = [child for child in declared.node.children if child.is_named]
-        marks = declared.type.marks
-        is_reference = "&" in marks and "c" not in marks  # what is set by its names is what it refers to
+        is_reference = "&" in declared.type.marks and "c" not in declared.type.marks
         kind = syntax.Type("auto", (), "&") if is_reference else syntax.AUTO
         for number, child in enumerate(names):
             line, column = unit.position(child)
