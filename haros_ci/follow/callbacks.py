@@ -72,6 +72,7 @@ def register(
     )  # which keeps identities from being used again
     dead = walk.ruled_out()
     conditions = tuple(walk.conditions)
+    doubt = doubt or (walk.doubts[-1] if walk.doubts else None)
     root = Root(value, conditions, is_update=is_update, is_setup=is_setup, is_entry=is_entry, doubt=doubt, dead=dead)
     if key in walk.known_roots:
         _again(walk, walk.known_roots[key], root)

@@ -193,3 +193,22 @@ def test_a_static_member_that_another_file_defines() -> None:
     other = '#include "c.h"\nstd::string C::s = "base";\nvoid C::step() { s = "x"; }\n'
     node = cpp("D d;\nd.step();\nADV(C::s, 1);\nADV(D::s, 1);", '#include "c.h"\n', c__h=header, c__cpp=other)
     assert {end.name for end in node.endpoints if end.kind == "publishers"} == {"/x"}
+
+
+CALLBACK = 'void h(const std_msgs::String& m) { ros::NodeHandle nh; nh.advertise<std_msgs::String>("a", 2); }\n'
+
+
+@pytest.mark.parametrize(
+    ("body", "expected"),
+    [
+        ("switch (n()) { case 3: { if (x()) return; } }", "/a*"),
+        ("if (x()) return;", "/a*"),
+        ("while (y()) { if (z()) { if (x()) return; } }", "/a*"),
+        # nothing that may be in the way
+        ("switch (n()) { case 3: { x(); } }", "/a"),
+        ("", "/a"),
+    ],
+)
+def test_doubts_of_a_registration_are_those_of_its_callback(body: str, expected: str) -> None:
+    go = f'void go() {{ ros::NodeHandle nh; {body}\nnh.subscribe("t", 1, h); }}\n'
+    assert made("go();", CALLBACK + go) == [expected]
