@@ -7,8 +7,8 @@ from collections.abc import Callable, Iterable
 from itertools import chain
 from sys import intern
 
+from haros_ci.index.assigned import targets
 from haros_ci.index.index import Index, Source
-from haros_ci.index.mentions import targets
 from haros_ci.syntax import Class, Function
 from haros_ci.syntax.walk import Part
 

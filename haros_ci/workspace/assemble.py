@@ -72,6 +72,26 @@ class Skipped:
     is_source: bool = True
 
 
+def _initialises(content: Content) -> bool:
+    """Whether a C++ file may be a program of ROS."""
+    return content.language == "cpp" and (b"ros::init" in content.data or b"rclcpp::init" in content.data)
+
+
+def _source_file(content: Content) -> SourceFile:
+    from hashlib import sha256
+
+    return SourceFile(
+        path=content.path,
+        language=content.language,
+        size=len(content.data),
+        digest=sha256(content.data).hexdigest(),
+        lines=content.data.count(b"\n"),
+        has_directive=b"haros:" in content.data,
+        is_generated=says_generated(content.language, content.data),
+        third_party=copied_library(content.path, content.language, content.data),
+    )
+
+
 def assemble(
     root: Path,
     contents: Iterable[Content | SymbolicLink | Problem | Skipped],
@@ -98,8 +118,6 @@ def assemble(
     Files that are not *listed* lie below *elsewhere*, by default the root. *differs* tells whether a change has made the file at a path what
     it is: one that cannot be analysed is no mere problem then. *requested* are the directories that the run is about. *buffer* is what the reader has instead of one of the files.
     """
-    from hashlib import sha256
-
     name = name or root.name
     listed = tuple(listed)
     names = frozenset(listed if names is None else names)
@@ -133,20 +151,9 @@ def assemble(
             if supports_both(packages[directory][0]):
                 undecided[directory] = content
         if usable:
-            if content.language == "cpp" and (b"ros::init" in content.data or b"rclcpp::init" in content.data):
+            if _initialises(content):
                 initialised.add(content.path)
-            files.append(
-                SourceFile(
-                    path=content.path,
-                    language=content.language,
-                    size=len(content.data),
-                    digest=sha256(content.data).hexdigest(),
-                    lines=content.data.count(b"\n"),
-                    has_directive=b"haros:" in content.data,
-                    is_generated=says_generated(content.language, content.data),
-                    third_party=copied_library(content.path, content.language, content.data),
-                )
-            )
+            files.append(_source_file(content))
     packages = _outermost(packages)
     others = [package for package, _ in packages.values()]
     for directory, manifest in undecided.items():

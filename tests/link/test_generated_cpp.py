@@ -212,3 +212,24 @@ CALLBACK = 'void h(const std_msgs::String& m) { ros::NodeHandle nh; nh.advertise
 def test_doubts_of_a_registration_are_those_of_its_callback(body: str, expected: str) -> None:
     go = f'void go() {{ ros::NodeHandle nh; {body}\nnh.subscribe("t", 1, h); }}\n'
     assert made("go();", CALLBACK + go) == [expected]
+
+
+UPPER = "std::string upper(std::string t) { std::transform(t.begin(), t.end(), t.begin(), ::toupper); return t; }\n"
+UPPER += "std::string turned(std::string t) { std::reverse(t.begin(), t.end()); return t; }\n"
+UPPER += "std::string other(std::string t) { std::replace(t.begin(), t.end(), '_', '/'); return t; }\n"
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ('upper(unknown() + "_x")', "/?_X"),
+        ('other(unknown() + "_x")', "/?/x"),
+        ('upper(x() ? "ab" : "cd")', "/?"),
+        ('turned(unknown() + "_x")', "/?"),
+        ('upper(std::string("ab"))', "/AB"),
+        ('unknown() + "_x"', "/?_x"),
+    ],
+)
+def test_texts_of_which_a_part_is_known_are_changed_in_place(text: str, expected: str) -> None:
+    (name,) = {name.rstrip("*") for name in made(f"ADV({text}, 1);", "std::string unknown();\n" + UPPER)}
+    assert name == expected

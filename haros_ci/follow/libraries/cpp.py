@@ -242,6 +242,8 @@ def method(  # noqa: C901 - one branch for each kind of receiver
             return made
     if isinstance(receiver, Known):
         return cpp_data.of_known(walk, frame, receiver, cell, name, args)
+    if isinstance(receiver, (Text, Choice)) and name in ("begin", "end") and (at := cpp_data.of_text(cell)) is not None:
+        return at
     if isinstance(receiver, (Text, Choice)) and name in ("c_str", "str", "data"):
         return receiver
     if isinstance(receiver, Text) and name in ("size", "length"):

@@ -10,7 +10,7 @@ from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import text_methods, texts
 from haros_ci.follow.libraries import xml as library_xml
 from haros_ci.follow.walk import Walk
-from haros_ci.index.types import SEQUENCES
+from haros_ci.index.types import SEQUENCES, STRINGS
 from haros_ci.values.abstract import (
     LIST_LIMIT,
     NONE,
@@ -176,3 +176,9 @@ def of_known(  # noqa: C901 - one branch for each method
             if isinstance(data, kind):
                 return Library(f"XmlRpc::XmlRpcValue::{message}")
     return None
+
+
+def of_text(cell: Cell | None) -> Object | None:
+    """An iterator of the text in *cell*, of which a part may be known; None of what is declared as no text."""
+    is_text = cell is not None and cell.type is not None and cell.type.name in STRINGS
+    return Object("[iterator]", fields={"[of]": Cell(Pointer(cell))}) if is_text and cell is not None else None

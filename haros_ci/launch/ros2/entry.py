@@ -45,32 +45,7 @@ def entry_files(
     of theirs. Each file is launched once, in *environment*; with a *memo*
     ``launch_system`` does not do it again.
     """
-    found: list[str] = []
-    loose: list[str] = []
-    commands = commanded(workspace.files, workspace.text)
-    roots = {package.name: package.path for package in workspace.packages}
-    called: list[str] = []
-    for file in workspace.files:
-        parts = file.path.split("/")
-        if not is_ros2(file.path) or _is_below_tests(parts) or _is_named_test(parts, file.package or ""):
-            continue
-        if file.package is None:
-            is_commanded = parts[-1].endswith(_ENDINGS) and commands.names(file)
-            is_named = is_commanded or parts[-1].endswith(_NAMES)
-            text = workspace.text(file.path) if is_named else ""
-            if is_named and is_loose_launch(file, workspace.packages, text, is_commanded=is_commanded):
-                loose += [file.path] if _describes(load(file.path)) else []
-        elif file.path.endswith(_NAMES) or parts[-1] in ("launch.xml", "launch.yaml", "launch.py"):
-            found.append(file.path)
-        elif parts[-2:-1] == ["launch"] and file.path.endswith((".xml", ".py", ".launch")):
-            if _describes(load(file.path)):
-                found.append(file.path)
-        elif parts[-1].endswith(_ENDINGS) and commands.names(file):
-            if _describes(load(file.path)):
-                found.append(file.path)
-        elif file.language == "python" and not file.third_party and not is_aside(_inside(file, roots)):
-            if _CALLED.search(workspace.text(file.path)) and _describes(load(file.path)):
-                called.append(file.path)
+    found, loose, called = _launch_files(workspace, load, is_ros2)
     imported = _imported((*found, *loose, *called), workspace)
     found += [path for path in called if not _is_imported(path, imported)]
     kept = memo if memo is not None else LaunchMemory()
@@ -85,6 +60,40 @@ def entry_files(
         own = loose_ones if path in loose_ones else every
         included.update(other for other in system.includes if other != path and other in own)
     return tuple(sorted(path for path in entries if path not in included))
+
+
+def _launch_files(
+    workspace: Workspace, load: Callable[[str], Description | None], is_ros2: Callable[[str], bool]
+) -> tuple[list[str], list[str], list[str]]:
+    """The launch files in packages, those beside them, and modules of Python in packages that may be launched."""
+    found: list[str] = []
+    loose: list[str] = []
+    called: list[str] = []
+    commands = commanded(workspace.files, workspace.text)
+    roots = {package.name: package.path for package in workspace.packages}
+    for file in workspace.files:
+        parts = file.path.split("/")
+        if not is_ros2(file.path) or _is_below_tests(parts) or _is_named_test(parts, file.package or ""):
+            continue
+        if file.package is None:
+            is_commanded = parts[-1].endswith(_ENDINGS) and commands.names(file)
+            is_named = is_commanded or parts[-1].endswith(_NAMES)
+            text = workspace.text(file.path) if is_named else ""
+            if is_named and is_loose_launch(file, workspace.packages, text, is_commanded=is_commanded):
+                loose += [file.path] if _describes(load(file.path)) else []
+        elif file.path.endswith(_NAMES) or parts[-1] in ("launch.xml", "launch.yaml", "launch.py"):
+            found.append(file.path)
+        elif _may_describe(parts) or (parts[-1].endswith(_ENDINGS) and commands.names(file)):
+            found += [file.path] if _describes(load(file.path)) else []
+        elif file.language == "python" and not file.third_party and not is_aside(_inside(file, roots)):
+            if _CALLED.search(workspace.text(file.path)) and _describes(load(file.path)):
+                called.append(file.path)
+    return found, loose, called
+
+
+def _may_describe(parts: list[str]) -> bool:
+    """Whether a file lies in a directory ``launch``, and has an ending of launch files."""
+    return parts[-2:-1] == ["launch"] and parts[-1].endswith((".xml", ".py", ".launch"))
 
 
 def _describes(description: Description | None) -> bool:

@@ -47,7 +47,7 @@ def call(name: str, line: int, column: int, *arguments: Any) -> tuple[Any, ...]:
             "auto &[v, w] = a;",
             [
                 ("", T("auto", marks="&"), ("=", A)),
-                ("v", T("auto"), ("=", ("index", ("name", ""), ("num", 0)))),
+                ("v", T("auto", marks="&"), ("=", ("index", ("name", ""), ("num", 0)))),
                 ("w", T("auto"), ("=", ("index", ("name", ""), ("num", 1)))),
             ],
         ),
