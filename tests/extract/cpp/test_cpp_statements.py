@@ -48,7 +48,7 @@ def call(name: str, line: int, column: int, *arguments: Any) -> tuple[Any, ...]:
             [
                 ("", T("auto", marks="&"), ("=", A)),
                 ("v", T("auto", marks="&"), ("=", ("index", ("name", ""), ("num", 0)))),
-                ("w", T("auto"), ("=", ("index", ("name", ""), ("num", 1)))),
+                ("w", T("auto", marks="&"), ("=", ("index", ("name", ""), ("num", 1)))),
             ],
         ),
         ("A v();", []),
