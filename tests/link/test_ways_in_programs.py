@@ -140,6 +140,13 @@ FINALLY = "def f(x):\n    try:\n        {}\n    except {}:\n        {}\n    fina
         ("raise ValueError()", "ValueError", "if x: return"),
         ("for y in [1]: break", "ValueError", "return"),
         ("while x: return", "ValueError", "raise"),
+        ("for y in [1]: y = 2\n        else: return", "ValueError", "return"),
+        ("y = " + " + ".join(["'a'"] * 900) + "\n        if y: return", "ValueError", "return"),
+        (
+            "if x == 0: y = 1\n" + "".join(f"        elif x == {n}: y = 1\n" for n in range(150)) + "        return",
+            "ValueError",
+            "return",
+        ),
     ],
 )
 def test_finally_is_done_however_the_block_is_left(body: str, handler: str, ways: str) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import ast
 import copy
+from collections.abc import Callable
 from typing import Any, Protocol
 
 from haros_ci import syntax
@@ -65,17 +66,14 @@ def left_by_finally(node: Tried) -> Tried | None:
     """
     if not any(isinstance(statement, ast.Return) for statement in node.finalbody):
         return None
-    left: Any = copy.copy(node)
-    left.finalbody = []
-    left.body, left.orelse, left.handlers = (
-        [_Raising().visit(copy.deepcopy(item)) for item in items] for items in (node.body, node.orelse, node.handlers)
-    )
-    for name in ("body", "orelse"):
-        setattr(
-            left, name, [one for item in getattr(left, name) for one in (item if isinstance(item, list) else [item])]
-        )
-    made: Tried = left
-    return made
+    return _rewritten_try(node, _raising, _raising, [])
+
+
+def _raising(statement: ast.stmt, in_loop: bool) -> list[ast.stmt] | None:
+    if not isinstance(statement, ast.Return):
+        return None
+    leaving = ast.copy_location(ast.Raise(exc=None, cause=None), statement)
+    return [leaving] if statement.value is None else [ast.copy_location(ast.Expr(statement.value), statement), leaving]
 
 
 def done_before_leaving(node: Tried) -> Tried | None:
@@ -83,79 +81,70 @@ def done_before_leaving(node: Tried) -> Tried | None:
 
     It is done behind what a ``return`` gives: that makes no difference to what it makes. What is raised in the block counts where nothing catches it there.
     """
-    parts = (node.body, node.orelse, *(handler.body for handler in node.handlers))
-    if not node.finalbody or not any(
-        isinstance(one, _LEAVING) for part in parts for top in part for one in ast.walk(top)
-    ):
+    count = 0
+
+    def leaving(statement: ast.stmt, in_loop: bool) -> list[ast.stmt] | None:
+        nonlocal count
+        if not isinstance(statement, _LEAVING) or (in_loop and isinstance(statement, (ast.Break, ast.Continue))):
+            return None
+        count += 1
+        return [*node.finalbody, statement]
+
+    def caught(statement: ast.stmt, in_loop: bool) -> list[ast.stmt] | None:
+        return None if isinstance(statement, ast.Raise) else leaving(statement, in_loop)
+
+    if not node.finalbody:
         return None
-    left: Any = copy.copy(node)
-    leaving = _Leaving(node.finalbody)
-    left.body = leaving.block(node.body, raises=not node.handlers)
-    left.orelse = leaving.block(node.orelse, raises=True)
-    left.handlers = [copy.copy(handler) for handler in node.handlers]
-    for handler in left.handlers:
-        handler.body = leaving.block(handler.body, raises=True)
-    made: Tried = left
-    return made if 0 < leaving.count <= _MOST_LEAVING else None
+    made = _rewritten_try(node, caught if node.handlers else leaving, leaving, node.finalbody)
+    return made if 0 < count <= _MOST_LEAVING else None
 
 
 #: Statements that leave a block, and so many of them in one are looked at.
 _LEAVING = (ast.Return, ast.Raise, ast.Break, ast.Continue)
 _MOST_LEAVING = 8
+#: So many blocks inside blocks are gone into; each ``elif`` is one inside of the one before.
+_DEEPEST = 100
+_LOOPS = (ast.For, ast.AsyncFor, ast.While)
+_DEFINITIONS = (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)
+#: What is written for a statement, in a loop of the block or not; None for the statement itself.
+_Way = Callable[[ast.stmt, bool], "list[ast.stmt] | None"]
 
 
-class _Leaving(ast.NodeTransformer):
-    """Puts statements before each one that leaves a block of a function itself."""
-
-    def __init__(self, before: list[ast.stmt]) -> None:
-        self.before = before
-        self.count = self._loops = 0
-        self._raises = True
-
-    def block(self, statements: list[ast.stmt], *, raises: bool) -> list[ast.stmt]:
-        """A copy of *statements* with the others put in; before ``raise`` only where it leaves the block."""
-        self._raises = raises
-        found = [self.visit(copy.deepcopy(one)) for one in statements]
-        return [one for item in found for one in (item if isinstance(item, list) else [item])]
-
-    def _leave(self, node: ast.stmt) -> list[ast.stmt]:
-        self.count += 1
-        return [*self.before, node]
-
-    def visit_Return(self, node: ast.Return) -> list[ast.stmt]:
-        return self._leave(node)
-
-    def visit_Raise(self, node: ast.Raise) -> list[ast.stmt] | ast.stmt:
-        return self._leave(node) if self._raises else node
-
-    def visit_Break(self, node: ast.Break) -> list[ast.stmt] | ast.stmt:
-        return node if self._loops else self._leave(node)
-
-    def visit_Continue(self, node: ast.Continue) -> list[ast.stmt] | ast.stmt:
-        return node if self._loops else self._leave(node)
-
-    def visit_For(self, node: ast.For | ast.AsyncFor | ast.While) -> ast.AST:
-        self._loops += 1
-        node.body = [one for item in map(self.visit, node.body) for one in (item if isinstance(item, list) else [item])]
-        self._loops -= 1
-        return node
-
-    visit_AsyncFor = visit_While = visit_For
-
-    def _keep(self, node: ast.AST) -> ast.AST:
-        return node
-
-    visit_FunctionDef = visit_AsyncFunctionDef = visit_ClassDef = visit_Lambda = _keep
+def _rewritten_try(node: Tried, in_body: _Way, elsewhere: _Way, finalbody: list[ast.stmt]) -> Tried:
+    """A copy of *node* whose block, and whose other parts, are written as the two ways say."""
+    left: Any = copy.copy(node)
+    left.body, left.orelse = _rewritten(node.body, in_body), _rewritten(node.orelse, elsewhere)
+    left.handlers = [_with_body(handler, elsewhere) for handler in node.handlers]
+    left.finalbody = finalbody
+    made: Tried = left
+    return made
 
 
-class _Raising(ast.NodeTransformer):
-    """Puts ``raise`` in the place of each ``return`` of a function itself."""
+def _rewritten(block: list[ast.stmt], way: _Way, in_loop: bool = False, depth: int = 0) -> list[ast.stmt]:
+    """A copy of *block* with what *way* says for its statements, and those inside of them that are of the same function; expressions are shared."""
+    if depth > _DEEPEST:
+        return block
+    found: list[ast.stmt] = []
+    for statement in block:
+        instead = way(statement, in_loop)
+        if instead is not None or isinstance(statement, _DEFINITIONS):
+            found += [statement] if instead is None else instead
+            continue
+        changed = copy.copy(statement)
+        for part in ("body", "orelse", "finalbody"):
+            inner = getattr(statement, part, None)
+            if isinstance(inner, list):
+                is_turn = in_loop or (part == "body" and isinstance(statement, _LOOPS))
+                setattr(changed, part, _rewritten(inner, way, is_turn, depth + 1))
+        for part in ("handlers", "cases"):
+            if inner := getattr(statement, part, None):
+                setattr(changed, part, [_with_body(one, way, in_loop, depth + 1) for one in inner])
+        found.append(changed)
+    return found
 
-    def visit_Return(self, node: ast.Return) -> list[ast.stmt]:
-        leaving = ast.copy_location(ast.Raise(exc=None, cause=None), node)
-        return [leaving] if node.value is None else [ast.copy_location(ast.Expr(node.value), node), leaving]
 
-    def _keep(self, node: ast.AST) -> ast.AST:
-        return node
-
-    visit_FunctionDef = visit_AsyncFunctionDef = visit_ClassDef = visit_Lambda = _keep
+def _with_body(node: Any, way: _Way, in_loop: bool = False, depth: int = 0) -> Any:
+    """A copy of a handler, or of a case."""
+    changed = copy.copy(node)
+    changed.body = _rewritten(node.body, way, in_loop, depth)
+    return changed
