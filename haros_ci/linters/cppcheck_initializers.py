@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import re
 
+from haros_ci.linters.brackets import CLOSING, OPENING, opening_of
 from haros_ci.regex import regex
 
 #: ``Member variable 'frame' is initialized by itself.``
@@ -14,7 +15,6 @@ _LONGEST = 4_000
 _SPACE = " \t\r\n"
 #: What may stand between the parameters and the colon: ``noexcept(false)``.
 _BEHIND = regex(r"(?:noexcept|requires|explicit|__attribute__|try)\s*$")
-_OPENING, _CLOSING = "([{", ")]}"
 
 
 def self_initialized_line(message: str, line: int, text: str) -> int:
@@ -55,11 +55,11 @@ def _parameters(before: str) -> str | None:
     at = len(before) - 1
     while at >= 0:
         character = before[at]
-        if character in _CLOSING:
-            at = _opening(before, at) - 1
+        if character in CLOSING:
+            at = opening_of(before, at) - 1
         elif character == ":" and before[at - 1 : at] != ":" and before[at + 1 : at + 2] != ":":
             return _before_colon(before[:at])
-        elif character in ";" + _OPENING:
+        elif character in ";" + OPENING:
             return None
         else:
             at -= 1
@@ -69,7 +69,7 @@ def _parameters(before: str) -> str | None:
 def _before_colon(head: str) -> str | None:
     head = head.rstrip(_SPACE)
     while head.endswith(")"):
-        start = _opening(head, len(head) - 1)
+        start = opening_of(head, len(head) - 1)
         if start < 0:
             return None
         rest = head[:start].rstrip(_SPACE)
@@ -78,13 +78,3 @@ def _before_colon(head: str) -> str | None:
         head = _BEHIND.sub("", rest).rstrip(_SPACE)
     bare = re.sub(r"\b(?:noexcept|try)$", "", head).rstrip(_SPACE)
     return _before_colon(bare) if bare != head else None
-
-
-def _opening(text: str, closing: int) -> int:
-    """The index of the bracket that the one at *closing* ends; -1 if it is not there."""
-    depth = 0
-    for at in range(closing, -1, -1):
-        depth += (text[at] in _CLOSING) - (text[at] in _OPENING)
-        if depth == 0:
-            return at
-    return -1

@@ -6,6 +6,7 @@ from __future__ import annotations
 import re
 from bisect import bisect_right
 
+from haros_ci.linters.brackets import CLOSING, OPENING, closing_of, opening_of
 from haros_ci.linters.cppcheck_indices import Step
 from haros_ci.regex import regex
 
@@ -21,7 +22,6 @@ _BLOCK = regex(r"(?:\}|\s|else|do|try|(?:case\b[^;{}]{0,200}|default\s*):|(?:if|
 #: The variable of a loop over a container.
 _VARIABLE = regex(r"\bfor\s*\([^;{}()]{0,200}?(\w+|\[[\w\s,]{0,200}\])\s*:(?!:)")
 _WORD = regex(r"[A-Za-z_]\w*")
-_OPENING, _CLOSING = "([{", ")]}"
 #: Characters behind the change that are looked at, and statements.
 _LONGEST = 6_000
 _MOST = 200
@@ -40,7 +40,7 @@ def is_left(message: str, changed: Step, loop: Step, text: str) -> bool:
     call = re.compile(rf"\b{name[1]}\s*\(").search(text, start, way.start(changed[1] + 1))
     if call is None:
         return False
-    closed = _closing(text, call.end() - 1)
+    closed = closing_of(text, call.end() - 1, _LONGEST)
     rest = re.compile(r"[^{};]*;").match(text, closed + 1) if closed > 0 else None
     if rest is None or _KEYWORD.search(rest[0]) or not way.is_inside(call.start()):
         return False
@@ -117,7 +117,7 @@ class _Way:
 
     def _block(self, closing: int) -> tuple[bool, bool]:
         """Whether the block that ends there is that of the loop, and whether it is one of a statement."""
-        opening = _opening(self._text, closing)
+        opening = opening_of(self._text, closing)
         if opening < 0:
             return False, False
         head, begin = self._head(opening)
@@ -134,7 +134,7 @@ class _Way:
             is_own, is_known = self._block(closing)
             if is_own or not is_known:
                 return 0, is_own
-            head, _begin = self._head(_opening(self._text, closing))
+            head, _begin = self._head(opening_of(self._text, closing))
             if _LOOP.search(head):
                 return closing, False
             at = closing + 1
@@ -155,11 +155,11 @@ def _next(text: str, at: int, depth: int) -> int:
     if depth > _MOST or at >= len(text):
         return len(text)
     if text[at] == "{":
-        closed = _closing(text, at)
+        closed = closing_of(text, at, _LONGEST)
         return closed + 1 if closed > 0 else len(text)
     headed = _HEADED.match(text, at)
     if headed is not None or (bare := _BARE.match(text, at)) is not None:
-        closed = _closing(text, headed.end() - 1) + 1 if headed is not None else bare.end() if bare else 0
+        closed = closing_of(text, headed.end() - 1, _LONGEST) + 1 if headed is not None else bare.end() if bare else 0
         if closed <= 0:
             return len(text)
         end = _next(text, _blank(text, closed), depth + 1)
@@ -168,22 +168,12 @@ def _next(text: str, at: int, depth: int) -> int:
         return end
     level = 0
     for index in range(at, min(at + _LONGEST, len(text))):
-        level += (text[index] in _OPENING) - (text[index] in _CLOSING)
+        level += (text[index] in OPENING) - (text[index] in CLOSING)
         if level < 0:
             return index
         if level == 0 and text[index] == ";":
             return index + 1
     return len(text)
-
-
-def _closing(text: str, opening: int) -> int:
-    """The index of the bracket that ends the one at *opening*; -1 if it is not there."""
-    depth = 0
-    for at in range(opening, min(opening + _LONGEST, len(text))):
-        depth += (text[at] in _OPENING) - (text[at] in _CLOSING)
-        if depth == 0:
-            return at
-    return -1
 
 
 def _end_of_block(text: str, at: int) -> int:
@@ -193,13 +183,4 @@ def _end_of_block(text: str, at: int) -> int:
         depth += (text[index] == "{") - (text[index] == "}")
         if depth < 0:
             return index
-    return -1
-
-
-def _opening(text: str, closing: int) -> int:
-    depth = 0
-    for at in range(closing, -1, -1):
-        depth += (text[at] in _CLOSING) - (text[at] in _OPENING)
-        if depth == 0:
-            return at
     return -1
