@@ -3,10 +3,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 
 from haros_ci.model.package import SourceFile
-from haros_ci.records import dataclass
+from haros_ci.records import dataclass, field
 from haros_ci.regex import regex
 
 #: Languages of files that have commands for people and machines.
@@ -20,17 +20,26 @@ _ENDINGS = (".py", ".xml", ".launch", ".yaml", ".yml")
 
 @dataclass(frozen=True, slots=True)
 class Commanded:
-    """Launch files that commands name: *in_packages* by package and name, *paths* as they are written."""
+    """Launch files that commands name: *in_packages* by package and name, *paths* as they are written; *ends* are what these may end with."""
 
     in_packages: frozenset[tuple[str, str]]
     paths: frozenset[str]
+    ends: frozenset[str] = field(init=False, compare=False)
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "ends", frozenset(end for written in self.paths for end in _ends(written)))
 
     def names(self, file: SourceFile) -> bool:
         """Whether a command starts *file*: by its package and name, or by a path that may be its own."""
         if (file.package or "", file.path.rpartition("/")[2]) in self.in_packages:
             return True
-        path = f"/{file.path}"
-        return any(path.endswith(f"/{written}") or f"/{written}".endswith(path) for written in self.paths)
+        return file.path in self.ends or any(end in self.paths for end in _ends(file.path))
+
+
+def _ends(path: str) -> Iterator[str]:
+    """*path*, and the same without its first directories."""
+    parts = path.split("/")
+    return ("/".join(parts[number:]) for number in range(len(parts)))
 
 
 def commanded(files: Iterable[SourceFile], text: Callable[[str], str]) -> Commanded:
