@@ -155,7 +155,8 @@ def _inherited(walk: Walk, frame: Frame, this: Object, name: str, value: Value) 
         owner = walk.class_of(frame.scope, frame.source) or this.definition
         found = methods.class_method(walk, owner[0], owner[1], name) if owner is not None else None
         walk.found[key] = found if found is not None and found[1].kind == "function" else None
-    return Callable(*walk.found[key]) if walk.found[key] is not None else None
+    method = walk.found[key]
+    return Callable(*method) if method is not None else None
 
 
 def _is_virtual(walk: Walk, frame: Frame, value: Callable) -> bool:

@@ -30,11 +30,8 @@ def _may_change(node: object, name: str) -> bool:
 
 def element_type(value: Value, known: Type | None) -> Type | None:
     """The type of an element that a loop over it copies: that of a map is a pair."""
-    return (
-        known
-        if known is not None or not isinstance(value, Object) or value.name != copies.PAIR
-        else syntax.Type(copies.PAIR)
-    )
+    is_pair = known is None and isinstance(value, Object) and value.name == copies.PAIR
+    return syntax.Type(copies.PAIR) if is_pair else known
 
 
 def _root(target: Expression) -> str:

@@ -42,7 +42,7 @@ CHANGED = "an element of a list that is changed while it is gone through"
 READING = frozenset(
     f"{space}{name}"
     for space in ("", "::", "std::")
-    for name in (*"toupper tolower isalnum isalpha isdigit islower isupper isspace ispunct isxdigit to_string".split(),)
+    for name in "toupper tolower isalnum isalpha isdigit islower isupper isspace ispunct isxdigit to_string".split()
 )
 #: Why an element of a list that is empty as things are may be there all the same.
 NAMED = "the list is a matter of parameters"

@@ -264,20 +264,7 @@ ROWS: tuple[dict[str, object], ...] = (
 )
 # fmt: on
 
-#: Modules of smach_ros in which classes are defined, and may be named.
-SMACH = {
-    "introspection": "IntrospectionServer IntrospectionServer.start IntrospectionServer.stop",
-    "action_server_wrapper": "ActionServerWrapper ActionServerWrapper.run_server",
-}
-ROWS += tuple(
-    row | {"call": f"smach_ros.{module}.{name}"}
-    for module, names in SMACH.items()
-    for name in names.split()
-    for row in ROWS
-    if row.get("call") == f"smach_ros.{name}"
-)
-
-#: Modules of rospy in which the classes and functions above are defined, and may be named.
+#: Modules of rospy and smach_ros in which the classes and functions above are defined, and may be named.
 MODULES = {
     "rospy.client": "init_node wait_for_message get_param set_param has_param delete_param search_param",
     "rospy.core": "on_shutdown",
@@ -286,11 +273,13 @@ MODULES = {
     "rospy.impl.tcpros_service": "Service ServiceProxy wait_for_service",
     "rospy.timer": "Timer Rate",
     "rospy.rostime": "Duration",
+    "smach_ros.introspection": "IntrospectionServer IntrospectionServer.start IntrospectionServer.stop",
+    "smach_ros.action_server_wrapper": "ActionServerWrapper ActionServerWrapper.run_server",
 }
 ROWS += tuple(
     row | {"call": f"{module}.{name}"}
     for module, names in MODULES.items()
     for name in names.split()
     for row in ROWS
-    if row.get("call") == f"rospy.{name}"
+    if row.get("call") == f"{module.partition('.')[0]}.{name}"
 )

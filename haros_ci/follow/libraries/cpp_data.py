@@ -180,5 +180,6 @@ def of_known(  # noqa: C901 - one branch for each method
 
 def of_text(cell: Cell | None) -> Object | None:
     """An iterator of the text in *cell*, of which a part may be known; None of what is declared as no text."""
-    is_text = cell is not None and cell.type is not None and cell.type.name in STRINGS
-    return Object("[iterator]", fields={"[of]": Cell(Pointer(cell))}) if is_text and cell is not None else None
+    if cell is None or cell.type is None or cell.type.name not in STRINGS:
+        return None
+    return Object("[iterator]", fields={"[of]": Cell(Pointer(cell))})
