@@ -7,7 +7,7 @@ from haros_ci import syntax
 from haros_ci.follow import construct
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.walk import Walk
-from haros_ci.index.index import Source
+from haros_ci.index.index import EITHER, Source
 from haros_ci.index.types import MAPS, SEQUENCES
 from haros_ci.model.location import Location
 from haros_ci.syntax import Field, Type
@@ -60,40 +60,33 @@ def begins_with_calls(walk: Walk, name: str) -> bool:
 def global_cell(walk: Walk, source: Source, name: str, init: syntax.Init | None, kind: Type) -> Cell:
     """The one cell of a namespace-scope variable or static member, made when it is first used."""
     key = (source.path, name)
-    cell = walk.globals.get(key)
-    if cell is None and init is None and (of := _defined(walk, source, name)) is not None:
-        cell = walk.globals[key] = global_cell(walk, of[0], name, of[1].init, kind)
-    if cell is None:
-        frame = Frame(source, name.rpartition(source.separator)[0])
-        resolved = walk.type_in(kind, frame)
-        mark, begun = walk.state.mark(), tick()
-        cell = walk.globals[key] = Cell(walk.opaque(f"{name} is not set", frame, None, resolved), resolved)
-        if init is not None:
-            cell.value = construct.initial(walk, frame, resolved, init, Location(source.path))
-        elif not init:
-            # Its definition: in the file itself, or that of a static member elsewhere in the program.
-            definitions = walk.index.near(walk.index.variables, name, source, walk.files)
-            for where, variable in definitions:
-                if variable.init is not None:
-                    there = Frame(where, frame.scope)
-                    cell.value = construct.initial(walk, there, resolved, variable.init, Location(where.path))
-                    break
-            else:
-                if definitions and _is_container(resolved):  # it begins without an element
-                    cell.value = construct.initial(walk, frame, resolved, None, Location(source.path))
-                elif definitions and _does_something(walk, source, resolved):
-                    construct.initial(walk, frame, resolved, None, Location(source.path))
-        walk.state.settle(mark, begun)
-        walk.lasting.add(cell)
+    if key in walk.globals:
+        return walk.globals[key]
+    definitions = _definitions(walk, source, name) if init is None else []
+    where, init = (definitions[0][0], definitions[0][1].init) if definitions else (source, init)
+    if any(other.init != init for _, other in definitions):
+        where, init = source, syntax.Equals(syntax.Unknown(EITHER))
+    if where.path != source.path and source.separator == "::":  # a static member: its cell is that of the definition
+        cell = walk.globals[key] = global_cell(walk, where, name, init, kind)
+        return cell
+    frame = Frame(where, name.rpartition(source.separator)[0])
+    resolved = walk.type_in(kind, Frame(source, frame.scope))
+    mark, begun = walk.state.mark(), tick()
+    cell = walk.globals[key] = Cell(walk.opaque(f"{name} is not set", frame, None, resolved), resolved)
+    if init is not None or (definitions and _is_container(resolved)):  # a container begins without an element
+        cell.value = construct.initial(walk, frame, resolved, init, Location(where.path))
+    elif definitions and _does_something(walk, source, resolved):
+        construct.initial(walk, frame, resolved, None, Location(where.path))
+    walk.state.settle(mark, begun)
+    walk.lasting.add(cell)
     return cell
 
 
-def _defined(walk: Walk, source: Source, name: str) -> tuple[Source, Field] | None:
-    """The definition in another file of a static member that *source* declares; None if there is none, or several differ."""
-    found = walk.index.near(walk.index.variables, name, source, walk.files) if source.separator == "::" else []
-    if not found or any(where.path == source.path or other.init != found[0][1].init for where, other in found):
-        return None
-    return found[0]
+def _definitions(walk: Walk, source: Source, name: str) -> list[tuple[Source, Field]]:
+    """The definitions of a variable that *source* declares: those with an initialiser if there are any, and those of *source* itself if there are any."""
+    found = walk.index.near(walk.index.variables, name, source, walk.files)
+    begun = [one for one in found if one[1].init is not None] or found
+    return [one for one in begun if one[0].path == source.path] or begun
 
 
 def _is_container(kind: Type) -> bool:
