@@ -6,11 +6,13 @@ from __future__ import annotations
 import re
 from collections import Counter
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from haros_ci.model.architecture import Architecture
 
 KINDS = ("publishers", "subscribers")
+#: Kinds of problems that are mistakes of the model.
+WRONG = ("missing", "ruled out", "phantom")
 
 
 @dataclass
@@ -19,6 +21,32 @@ class Run:
 
     made: list[tuple[str, str, str, int | None]]
     error: str = "it does not spin"
+
+
+@dataclass
+class Report:
+    """Counts over generated programs; a disagreement is printed when it is found, what no run makes only if *show*."""
+
+    show: bool
+    total: Counter[str] = field(default_factory=Counter)
+    bad: int = 0
+
+    def add(self, number: int, runs: Sequence[Run], problems: list[str], counts: Counter[str]) -> None:
+        """Take in the program generated from *number*, and where its model disagrees with its runs."""
+        self.total.update({"programs": 1, "programs that end": int(any(not one.error for one in runs))})
+        self.total.update(counts)
+        for problem in problems:
+            kind = problem.partition(":")[0]
+            self.total[kind] += 1
+            if kind in WRONG or (self.show and kind == "never") or "nodes" in kind:
+                self.bad += kind != "never"
+                print(f"{number}: {problem}", flush=True)
+
+    def end(self) -> int:
+        """Print the counts; the exit code, 1 where a program and its model disagree."""
+        for key, value in self.total.items():
+            print(f"{key}: {value}")
+        return 1 if self.bad else 0
 
 
 def full(name: str) -> str:

@@ -24,7 +24,7 @@ from dataclasses import dataclass, field
 from types import SimpleNamespace
 from typing import Any
 
-from tests.bench.run_judge import Run, compare
+from tests.bench.run_judge import Report, Run, compare
 from tests.link.follow_kit import follow, python_files
 
 RUNS = 12
@@ -759,24 +759,12 @@ def judge(text: str, runs: Sequence[Run], ros: int = 1) -> tuple[list[str], Coun
 
 def main(seed: int, count: int, show: bool, ros: int) -> int:
     resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
-    total: Counter[str] = Counter()
-    bad = 0
+    report = Report(show)
     for number in range(seed, seed + count):
         text = Program(number, ros).text
         runs = [run(text, k) for k in range(RUNS)]
-        total["programs"] += 1
-        total["programs that end"] += any(not one.error for one in runs)
-        problems, counts = judge(text, runs, ros)
-        total += counts
-        for problem in problems:
-            kind = problem.partition(":")[0]
-            total[kind] += 1
-            if kind in ("missing", "ruled out", "phantom") or (show and kind == "never") or "nodes" in kind:
-                bad += kind != "never"
-                print(f"{number}: {problem}", flush=True)
-    for key, value in total.items():
-        print(f"{key}: {value}")
-    return 1 if bad else 0
+        report.add(number, runs, *judge(text, runs, ros))
+    return report.end()
 
 
 if __name__ == "__main__":

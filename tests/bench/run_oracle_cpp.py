@@ -20,7 +20,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from tests.bench.run_cpp import compiler
-from tests.bench.run_judge import Run, compare
+from tests.bench.run_judge import Report, Run, compare
 from tests.link.follow_kit import cpp_files, follow
 
 #: Programs in one translation unit.
@@ -1297,30 +1297,17 @@ def judge(text: str, runs: list[Run]) -> tuple[list[str], Counter[str]]:
 
 
 def main(seed: int, count: int, show: bool) -> int:
-    total: Counter[str] = Counter()
-    bad = 0
+    report = Report(show)
     with compiler() as run:
         for first in range(seed, seed + count, BATCH):
             texts = {number: Program(number).text for number in range(first, min(first + BATCH, seed + count))}
             found, wrong = run.run(texts)
-            total["programs that do not compile"] += len(wrong)
-            for number, error in wrong.items():
-                if show:
-                    print(f"{number}: {error}", flush=True)
+            report.total["programs that do not compile"] += len(wrong)
+            for number, error in wrong.items() if show else ():
+                print(f"{number}: {error}", flush=True)
             for number, runs in found.items():
-                total["programs"] += 1
-                total["programs that end"] += any(not one.error for one in runs)
-                problems, counts = judge(texts[number], runs)
-                total += counts
-                for problem in problems:
-                    kind = problem.partition(":")[0]
-                    total[kind] += 1
-                    if kind in ("missing", "ruled out", "phantom") or (show and kind == "never") or "nodes" in kind:
-                        bad += kind != "never"
-                        print(f"{number}: {problem}", flush=True)
-    for key, value in total.items():
-        print(f"{key}: {value}")
-    return 1 if bad else 0
+                report.add(number, runs, *judge(texts[number], runs))
+    return report.end()
 
 
 if __name__ == "__main__":
