@@ -7,7 +7,7 @@
 from __future__ import annotations
 
 from haros_ci import syntax
-from haros_ci.follow import call_arguments, calls, expressions, lookup, overloads, registering
+from haros_ci.follow import call_arguments, calls, expressions, overloads, python_names, registering
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.made import go_back, keep
 from haros_ci.follow.walk import Walk
@@ -56,7 +56,7 @@ def _of_workspace(walk: Walk, decorator: Expression) -> bool:
 
 def _wrapped(walk: Walk, function: Callable, definition: Function) -> Value | None:
     """What its decorators make of a function, the last of them first; None where one is not known."""
-    module = lookup.module_frame(walk, function.source)
+    module = python_names.module_frame(walk, function.source)
     value: Value = Callable(function.source, _bare(walk, definition), None, (), function.frame)
     for decorator in reversed(definition.decorators):
         if type(decorator) is syntax.Name and decorator.name in overloads.TRANSPARENT:

@@ -13,11 +13,11 @@ from haros_ci.follow import (
     copies,
     expressions,
     handed_out,
-    lookup,
     members,
     methods,
     operators,
     properties,
+    python_names,
     uncertain,
 )
 from haros_ci.follow.frames import Frame
@@ -186,7 +186,7 @@ def _target(walk: Walk, frame: Frame, target: Expression) -> Cell | None:
             cell = owner.fields[target.name] = Cell(walk.opaque(_unset(walk, owner), frame))
         elif isinstance(owner, Module):
             before = members.attribute(walk, owner, target.name, frame)
-            cell = lookup.module_frame(walk, owner.source).scopes[0][target.name] = Cell(before)
+            cell = python_names.module_frame(walk, owner.source).scopes[0][target.name] = Cell(before)
         elif isinstance(owner, ClassValue) and python:
             key = (owner.source.path, f"{owner.definition.name}.{target.name}")
             cell = walk.globals[key] = Cell(members.attribute(walk, owner, target.name, frame))

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from haros_ci.follow import construct, expressions, lookup
+from haros_ci.follow import construct, expressions, python_names
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.walk import Walk
 from haros_ci.index.index import Source
@@ -31,7 +31,7 @@ def passed(walk: Walk, frame: Frame, source: Source, decorator: Expression, cont
     """What a decorator passes as an argument of its own: the context, its object, or an object of a class."""
     if not dotted(decorator):
         return
-    value = expressions.evaluate(walk, lookup.module_frame(walk, source), decorator)
+    value = expressions.evaluate(walk, python_names.module_frame(walk, source), decorator)
     if isinstance(value, Library) and value.name.partition(".")[0] in MODULES:
         word = value.name.rpartition(".")[2]
         if word == "pass_context":

@@ -12,7 +12,7 @@ from collections.abc import Sequence
 from functools import partial
 
 from haros_ci import syntax
-from haros_ci.follow import activation, call_arguments, calls, expressions, lookup
+from haros_ci.follow import activation, call_arguments, calls, expressions, python_names
 from haros_ci.follow.command import Command
 from haros_ci.follow.command_contexts import CONTEXT, DEEP, PASSING, UNKNOWN, context_of, of_class, passed
 from haros_ci.follow.frames import Frame
@@ -101,7 +101,7 @@ def _decorated(walk: Walk, source: Source, function: Function) -> Command | None
 
 def _owner(walk: Walk, source: Source, callee: Expression) -> int | None:
     """The group that ``group.command`` adds to, by identity; 0 for click's own ``command``, None for anything else."""
-    frame = lookup.module_frame(walk, source)
+    frame = python_names.module_frame(walk, source)
     if type(callee) is syntax.Name:
         value: Value = expressions.evaluate(walk, frame, callee)
         return 0 if isinstance(value, Library) and value.name.partition(".")[0] in MODULES else None
@@ -163,7 +163,7 @@ def start(name: str, source: Source, walk: Walk, _: Frame) -> None:
     called: Expression = syntax.Name(first)
     for part in rest:
         called = syntax.Member(called, part)
-    expressions.evaluate(walk, lookup.module_frame(walk, source), syntax.Call(called, (), (), 1, 1))
+    expressions.evaluate(walk, python_names.module_frame(walk, source), syntax.Call(called, (), (), 1, 1))
 
 
 def _run(walk: Walk, frame: Frame, found: Command, context: Object, words: tuple[str, ...], depth: int = 0) -> None:
@@ -248,7 +248,7 @@ def _imported(walk: Walk) -> list[Source]:
     every = {source.path: source for source in (*walk.index.by_place.values(), *loaded)}
     found = [every[path] for path in sorted(paths) if path in every and grouped(every[path].program)]
     for source in found:
-        lookup.module_frame(walk, source)
+        python_names.module_frame(walk, source)
     return found
 
 

@@ -7,7 +7,7 @@
 from __future__ import annotations
 
 from haros_ci import syntax
-from haros_ci.follow import call_arguments, calls, expressions, lookup, overloads
+from haros_ci.follow import call_arguments, calls, expressions, overloads, python_names
 from haros_ci.follow.made import go_back, keep
 from haros_ci.follow.walk import Walk
 from haros_ci.index.index import Source
@@ -41,7 +41,7 @@ def in_place_of(walk: Walk, owner: tuple[Source, Class]) -> tuple[Source, Class]
 
 
 def _made(walk: Walk, owner: tuple[Source, Class], decorators: list[Expression]) -> ClassValue | None:
-    module, where = lookup.module_frame(walk, owner[0]), Location(owner[0].path, owner[1].line)
+    module, where = python_names.module_frame(walk, owner[0]), Location(owner[0].path, owner[1].line)
     made = ClassValue(*owner)
     for decorator in reversed(decorators):
         function = expressions.evaluate(walk, module, decorator)

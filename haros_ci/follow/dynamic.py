@@ -6,7 +6,7 @@ from __future__ import annotations
 import re
 
 from haros_ci import syntax
-from haros_ci.follow import bases, call_arguments, lookup, methods
+from haros_ci.follow import bases, call_arguments, methods, python_names
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.walk import Walk
 from haros_ci.index.index import Source
@@ -142,7 +142,7 @@ def module(walk: Walk, frame: Frame, name: str, args: tuple[call_arguments.Passe
     expected = args[0].value if args else None
     if isinstance(expected, Known) and issubclass(expected.kind, str) and not expected.of(str).startswith("."):
         is_top = name == "__import__" and len(args) == 1
-        return lookup.imported(walk, frame, expected.of(str).partition(".")[0] if is_top else expected.of(str))
+        return python_names.imported(walk, frame, expected.of(str).partition(".")[0] if is_top else expected.of(str))
     tail = expected.parts[-1] if isinstance(expected, Text) else None
     if isinstance(tail, str) and tail.endswith(tuple(f".{kind}" for kind in INTERFACES)):
         return None

@@ -21,7 +21,7 @@ from haros_ci.follow import (
     disturbances,
     inert,
     initialised,
-    lookup,
+    python_names,
     uncalled,
 )
 from haros_ci.follow.frames import Frame
@@ -110,7 +110,7 @@ def _start(walk: Walk, frame: Frame, entry: Entry) -> None:
         for root in first:
             activation.invoke(walk, frame, root.function, _arguments(walk, root, frame))
     elif entry.function is not None and entry.source.separator == ".":
-        lookup.module_frame(walk, entry.source)
+        python_names.module_frame(walk, entry.source)
         commands.begin(walk, frame, Callable(entry.source, entry.function))
     elif entry.function is not None:
         words = walk.context.arguments
@@ -125,7 +125,7 @@ def _start(walk: Walk, frame: Frame, entry: Entry) -> None:
             )
         activation.invoke(walk, frame, Callable(entry.source, entry.function), args)
     else:
-        lookup.module_frame(walk, entry.source)
+        python_names.module_frame(walk, entry.source)
 
 
 def _entries(walk: Walk) -> list[Root]:

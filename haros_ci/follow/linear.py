@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from haros_ci import syntax
-from haros_ci.follow import expressions, lookup, members
+from haros_ci.follow import expressions, members, python_names
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.walk import Walk
 from haros_ci.index.index import Source
@@ -68,7 +68,7 @@ def _has(entries: list[Entry], one: Entry) -> bool:
 
 def entry_of(walk: Walk, base: Type, source: Source) -> Entry:
     """What a base class is; "" where that is not known."""
-    frame = lookup.module_frame(walk, source)
+    frame = python_names.module_frame(walk, source)
     value: Value = expressions.evaluate(walk, frame, syntax.Name(base.name.split(".")[0]))
     for part in base.name.split(".")[1:]:
         value = members.attribute(walk, value, part, Frame(source, ""))

@@ -15,9 +15,9 @@ from haros_ci.follow import (
     expressions,
     initialised,
     linear,
-    lookup,
     methods,
     properties,
+    python_names,
 )
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import argparse, python_modules, python_paths
@@ -120,7 +120,7 @@ def _of_base(walk: Walk, value: Object, name: str, frame: Frame) -> Cell | None:
 def _of_module_or_class(walk: Walk, value: Value, name: str) -> Cell | None:
     """The cell of a variable of a module, or of a class's own attribute."""
     if isinstance(value, Module):
-        return lookup.module_frame(walk, value.source).scopes[0].get(name)
+        return python_names.module_frame(walk, value.source).scopes[0].get(name)
     return static_cell(walk, value.source, value.definition, name) if isinstance(value, ClassValue) else None
 
 
@@ -170,7 +170,7 @@ def attribute(walk: Walk, value: Value, name: str, frame: Frame) -> Value:  # no
     if isinstance(value, Pointer):
         value = value.cell.value
     if isinstance(value, Module):
-        inner = lookup.module_frame(walk, value.source)
+        inner = python_names.module_frame(walk, value.source)
         if name in inner.scopes[0]:
             return inner.scopes[0][name].value
         deeper = walk.index.modules.get(f"{value.source.module}.{name}")
@@ -179,9 +179,9 @@ def attribute(walk: Walk, value: Value, name: str, frame: Frame) -> Value:  # no
         placed = python_modules.placed(walk, value.source, f".{name}") if not value.source.module else None
         if placed is not None and not placed[1] and value.source.path.endswith("__init__.py"):
             return Module(placed[0])
-        if lookup.is_generated(walk, value.source, name):
+        if python_names.is_generated(walk, value.source, name):
             return Library(f"{value.source.module}.{name}")
-        return lookup.python_name(walk, inner, name)
+        return python_names.meant(walk, inner, name)
     if isinstance(value, Library):
         if value.name == "sys" and name == "argv":
             return library_python.argv(walk, frame)

@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from haros_ci import syntax
-from haros_ci.follow import expressions, linear, lookup, many_overloads, members, overloads
+from haros_ci.follow import expressions, linear, many_overloads, members, overloads, python_names
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.walk import Walk
 from haros_ci.index.index import Source
@@ -107,7 +107,9 @@ def own_method(walk: Walk, source: Source, definition: Class, name: str, argumen
 
 
 def python_class(walk: Walk, base: Type, source: Source) -> tuple[Source, Class] | None:
-    value: Value = expressions.evaluate(walk, lookup.module_frame(walk, source), syntax.Name(base.name.split(".")[0]))
+    value: Value = expressions.evaluate(
+        walk, python_names.module_frame(walk, source), syntax.Name(base.name.split(".")[0])
+    )
     for part in base.name.split(".")[1:]:
         value = members.attribute(walk, value, part, Frame(source, ""))
     value = class_meant(value)

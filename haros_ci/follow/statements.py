@@ -16,10 +16,10 @@ from haros_ci.follow import (
     expressions,
     guarded,
     library_calls,
-    lookup,
     loops,
     members,
     narrowing,
+    python_names,
     registering,
     switches,
     thrown,
@@ -127,7 +127,7 @@ def _starts_as_written(variable: syntax.Variable) -> bool:
 
 
 def _global(walk: Walk, frame: Frame, statement: syntax.Global) -> str:
-    scope = lookup.module_frame(walk, frame.source).scopes[0]
+    scope = python_names.module_frame(walk, frame.source).scopes[0]
     for name in statement.names:
         frame.scopes[0][name] = scope.setdefault(name, Cell(walk.opaque(f"{name} is not set", frame)))
     return NEXT
@@ -298,7 +298,7 @@ def _class(walk: Walk, frame: Frame, statement: syntax.NestedClass) -> str:
 
 
 def _import(walk: Walk, frame: Frame, statement: syntax.Import) -> str:
-    value = lookup.imported(walk, frame, statement.target)
+    value = python_names.imported(walk, frame, statement.target)
     if walk.trials and isinstance(value, Library):
         thrown.may_throw(walk)
     cell = frame.scopes[0].get(statement.name)  # blocks have no scopes of their own in Python

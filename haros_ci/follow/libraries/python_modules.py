@@ -8,7 +8,7 @@ import sys
 from collections.abc import Iterable
 
 from haros_ci import syntax
-from haros_ci.follow import lookup
+from haros_ci.follow import python_names
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import python_numbers
 from haros_ci.follow.walk import Walk
@@ -29,9 +29,9 @@ def bound(walk: Walk, module: str) -> Value | None:
     parent, _, name = module.rpartition(".")
     for source in walk.index.modules.get(parent, ())[:1]:
         if source.path.endswith("__init__.py"):
-            inner = lookup.module_frame(walk, source)
+            inner = python_names.module_frame(walk, source)
             cell = inner.scopes[0].get(name)
-            value = cell.value if cell is not None else lookup.python_name(walk, inner, name)
+            value = cell.value if cell is not None else python_names.meant(walk, inner, name)
             return None if isinstance(value, (Library, Module)) else value
     return None
 
@@ -127,7 +127,7 @@ def beside(walk: Walk, source: Source, target: str) -> str | None:
 
 
 def is_outside(walk: Walk, source: Source, module: str) -> bool:
-    """Whether nothing in the workspace is, or is below, what *source* imports as *module*: whatever it has is a library's (``lookup.imported``)."""
+    """Whether nothing in the workspace is, or is below, what *source* imports as *module*: whatever it has is a library's (``python_names.imported``)."""
     script = "" if not walk.modules else next(iter(walk.modules.values())).source.path
     key = ("outside", script, source.path, module)
     if key not in walk.found:
