@@ -54,16 +54,10 @@ def called(walk: Walk, frame: Frame, name: str, args: tuple[PassedArgument, ...]
         function = argument.value
         if not isinstance(function, Callable) or function.frame is None or function.function.body is None:
             continue
-        parameters = function.function.parameters[len(function.bound) :]
-        values = tuple(
-            call_arguments.PassedArgument(walk.opaque(f"what {name} gives", frame, None, walk.type_in(p.type, frame)))
-            for p in parameters
-            if p.default is None and not p.name.startswith("*")
-        )
         mark = walk.state.mark()
         walk.quiet += 1
         try:
-            activation.invoke(walk, frame, function, values)
+            activation.invoke(walk, frame, function, unknown_arguments(walk, frame, name, function))
         finally:
             walk.quiet -= 1
             writes = walk.state.undo(mark)
@@ -73,6 +67,15 @@ def called(walk: Walk, frame: Frame, name: str, args: tuple[PassedArgument, ...]
                 walk.state.forget(
                     cell, walk.opaque(f"a function that is given to {name} may change it", frame, None, kind)
                 )
+
+
+def unknown_arguments(walk: Walk, frame: Frame, name: str, function: Callable) -> tuple[PassedArgument, ...]:
+    """What a *function* is called with by one of that *name* which is not known: values of the types of its parameters."""
+    return tuple(
+        call_arguments.PassedArgument(walk.opaque(f"what {name} gives", frame, None, walk.type_in(p.type, frame)))
+        for p in function.function.parameters[len(function.bound) :]
+        if p.default is None and not p.name.startswith("*")
+    )
 
 
 def method(

@@ -45,3 +45,37 @@ def test_what_a_text_becomes(code: str, expected: str) -> None:
 def test_what_is_not_told(code: str) -> None:
     found = cpp(f'std::string s = "aB c", t = "T"; {code} ADV(s, 1);', OUTSIDE)
     assert names(found) == ["/?"]
+
+
+#: What an algorithm's function makes for elements that are not known, where it is called, and what of that is certain.
+APPLIED = (
+    (
+        'std::vector<std::string> v{"a", "b"}; for (auto& s : v) std::for_each(u.begin(), u.end(), [&](int i) { ADV(s, 1); });',
+        [("/a", False), ("/b", False)],
+    ),
+    (
+        'std::string s = "a"; std::any_of(u.begin(), u.end(), [&](int i) { ADV(s, 1); return true; }); s = "b";',
+        [("/a", False)],
+    ),
+    ("std::transform(u.begin(), u.end(), w.begin(), [&](int i) { ADV(text(), 1); return i; });", [("/?", False)]),
+    (
+        'int n = 0; std::for_each(u.begin(), u.end(), [&](int i) { ADV("a" + std::to_string(n++), 1); });',
+        [("/a?", False)],
+    ),
+    (
+        'std::string s = "a"; std::sort(u.begin(), u.end(), [&](int i, int j) { return i < j; }); ADV(s, 1);',
+        [("/a", True)],
+    ),
+    ('std::string s = "a"; std::for_each(u.begin(), u.end(), [&](int i) { s = "b"; }); ADV(s, 1);', [("/?", True)]),
+    ('std::vector<int> v; std::for_each(v.begin(), v.end(), [&](int i) { ADV("a", 1); });', []),
+    ('std::vector<int> v{1}; std::for_each(v.begin(), v.end(), [&](int i) { ADV("a", 1); });', [("/a", True)]),
+)
+
+
+@pytest.mark.parametrize(("code", "expected"), APPLIED)
+def test_what_an_algorithm_calls(code: str, expected: list[tuple[str, bool]]) -> None:
+    found = cpp(f"std::vector<int> u = numbers(), w = numbers(); {code}", OUTSIDE + "std::vector<int> numbers();\n")
+    ends = [end for end in found.endpoints if not end.implicit]
+    assert (
+        sorted((end.name, not any("goes through" in item.reason for item in end.unknowns)) for end in ends) == expected
+    )

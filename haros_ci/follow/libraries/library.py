@@ -8,14 +8,14 @@ from typing import TYPE_CHECKING
 from haros_ci import syntax
 from haros_ci.follow import beside, callbacks, handed_out, methods, thrown, unknown_calls
 from haros_ci.follow.frames import Frame
-from haros_ci.follow.libraries import containers, given_away, harmless, optionals
+from haros_ci.follow.libraries import applying, containers, given_away, harmless, optionals
 from haros_ci.follow.libraries import cpp as library_cpp
 from haros_ci.follow.libraries import python as library_python
 from haros_ci.follow.ros import ros2_nodes
 from haros_ci.follow.walk import Walk
 from haros_ci.model.location import Location
 from haros_ci.syntax import Type
-from haros_ci.values.abstract import NONE, Cell, Known, Mapped, Object, Opaque, Sequence, Text, Value
+from haros_ci.values.abstract import NONE, Callable, Cell, Known, Mapped, Object, Opaque, Sequence, Text, Value
 
 if TYPE_CHECKING:
     from haros_ci.follow.call_arguments import PassedArgument
@@ -119,10 +119,14 @@ def unknown_call(
     is_python = frame.source.program.language == "python"
     if walk.trials and not harmless.is_harmless(name, is_python):
         thrown.may_throw(walk)
+    is_algorithm = name in applying.ALGORITHMS
     for argument in args:
-        callbacks.register(walk, argument.value, args)
+        if not is_algorithm or not isinstance(argument.value, Callable):
+            callbacks.register(walk, argument.value, args)
     beside.note(walk, *(argument.value for argument in args))
     unknown_calls.called(walk, frame, name, args)
+    if is_algorithm:
+        applying.applied(walk, frame, name, args)
     held = given_away.among(frame, args)  # before what is given is forgotten
     handed_out.note(walk, frame, name, args)
     unknown_calls.forget_passed(walk, frame, name, args)
