@@ -1,14 +1,24 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Elements that a loop of C++ copies (``for (auto item : items)``), as far as its body may change them."""
+"""Elements of the list that a loop goes through, as far as its body may change them, or copies of them (``for (auto item : items)``)."""
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from haros_ci import syntax
-from haros_ci.follow import copies
+from haros_ci.follow import copies, expressions
+from haros_ci.follow.frames import Frame
 from haros_ci.follow.walk import Walk
-from haros_ci.syntax import Expression, Type
+from haros_ci.syntax import Block, Expression, Type
 from haros_ci.syntax.walk import everything
-from haros_ci.values.abstract import Object, Value
+from haros_ci.values.abstract import Cell, Known, Mapped, Object, Pointer, Sequence, Value
+
+#: Functions that read a character that they are given.
+READING = frozenset(
+    f"{space}{name}"
+    for space in ("", "::", "std::")
+    for name in "toupper tolower isalnum isalpha isdigit islower isupper isspace ispunct isxdigit to_string".split()
+)
 
 
 def changes(walk: Walk, statement: syntax.Each) -> bool:
@@ -18,6 +28,17 @@ def changes(walk: Walk, statement: syntax.Each) -> bool:
         name = statement.name
         walk.found[key] = (any(_may_change(node, name) for node in everything(statement.body)), statement)
     return bool(walk.found[key][0])
+
+
+def changes_elements(walk: Walk, statement: syntax.Each, kind: Type, items: Iterable[Value | Cell]) -> bool:
+    """Whether the body of a loop may change the *items* that it goes through, by a variable of the type *kind*."""
+    if not changes(walk, statement):
+        return False
+    if "&" in kind.marks and "c" not in kind.marks:
+        return True
+    values = (item.value if isinstance(item, Cell) else item for item in items)
+    held = (Pointer,) if kind.name else (Pointer, Object, Sequence, Mapped)  # else C++ copies them
+    return any(isinstance(value, held) for value in values)
 
 
 def _may_change(node: object, name: str) -> bool:
@@ -39,3 +60,23 @@ def _root(target: Expression) -> str:
     while isinstance(target, (syntax.Member, syntax.Subscript)):
         target = target.object
     return target.name if type(target) is syntax.Name else ""
+
+
+def changed_text(walk: Walk, frame: Frame, statement: syntax.Each) -> Cell | None:
+    """The variable with the text whose characters the body sets: ``for (auto& c : text) c = toupper(c);``."""
+    kind, iterable = statement.type, statement.iterable
+    if frame.source.separator != "::" or "&" not in kind.marks or "c" in kind.marks:
+        return None
+    cell = expressions.cell_of(walk, frame, iterable) if isinstance(iterable, (syntax.Name, syntax.Member)) else None
+    is_text = cell is not None and isinstance(cell.value, Known) and issubclass(cell.value.kind, str)
+    return cell if is_text and _sets(statement.body, syntax.Name(statement.name)) else None
+
+
+def _sets(body: Block, target: syntax.Name) -> bool:
+    """Whether a body assigns to a variable, or hands it to a function by its name, which may."""
+    return any(
+        (type(node) is syntax.Assignment and node.target == target)
+        or (type(node) is syntax.Call and type(node.callee) is syntax.Name and target in node.arguments)
+        for node in everything(body)
+        if not (type(node) is syntax.Call and type(node.callee) is syntax.Name and node.callee.name in READING)
+    )

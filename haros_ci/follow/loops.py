@@ -17,6 +17,7 @@ from haros_ci.follow import (
     statements,
     static_types,
     thrown,
+    unknown_calls,
     widening,
 )
 from haros_ci.follow.frames import BOUND, BREAK, NEXT, Frame, Loop
@@ -25,8 +26,7 @@ from haros_ci.follow.made import forget_dead, go_back, keep
 from haros_ci.follow.walk import TURNS, Walk
 from haros_ci.model.location import Location
 from haros_ci.syntax import Block, Expression, Type
-from haros_ci.syntax.walk import everything
-from haros_ci.values.abstract import Callable, Cell, Known, Object, Opaque, Sequence, Value, join, tick
+from haros_ci.values.abstract import Callable, Cell, Object, Opaque, Sequence, Value, join, tick
 
 #: Steps after which the turns of a loop are no longer gone through one by one; those of rehearsals in it that do not count.
 LONG, REHEARSED = 2_000, 8_000
@@ -38,12 +38,8 @@ TOO_MANY = f"{BOUND}{TURNS} turns of a loop is reached"
 TOO_MANY_ITEMS = f"{BOUND}{TURNS * 4} elements of a loop is reached"
 TOO_DEEP = f"{BOUND}loops in loops is reached"
 CHANGED = "an element of a list that is changed while it is gone through"
-#: Functions that read a character that they are given.
-READING = frozenset(
-    f"{space}{name}"
-    for space in ("", "::", "std::")
-    for name in "toupper tolower isalnum isalpha isdigit islower isupper isspace ispunct isxdigit to_string".split()
-)
+#: Elements that turns change which are not gone through one by one: what these leave of more is not known.
+CHANGING = 8
 #: Why an element of a list that is empty as things are may be there all the same.
 NAMED = "the list is a matter of parameters"
 
@@ -203,31 +199,11 @@ def _goes_through(walk: Walk, frame: Frame, test: Expression | None) -> bool:
 
 def for_each(walk: Walk, frame: Frame, statement: syntax.Each) -> str:
     """The turns for the elements of a container; a text whose characters a turn of C++ sets is not known behind it."""
-    text = _changed_text(walk, frame, statement)
+    text = loop_copies.changed_text(walk, frame, statement)
     ended = _each(walk, frame, statement)
     if text is not None:
         walk.state.write(text, walk.opaque("its characters are changed", frame, statement.line, text.type))
     return ended
-
-
-def _changed_text(walk: Walk, frame: Frame, statement: syntax.Each) -> Cell | None:
-    """The variable with the text whose characters the body sets: ``for (auto& c : text) c = toupper(c);``."""
-    kind, iterable = statement.type, statement.iterable
-    if frame.source.separator != "::" or "&" not in kind.marks or "c" in kind.marks:
-        return None
-    cell = expressions.cell_of(walk, frame, iterable) if isinstance(iterable, (syntax.Name, syntax.Member)) else None
-    is_text = cell is not None and isinstance(cell.value, Known) and issubclass(cell.value.kind, str)
-    return cell if is_text and _sets(statement.body, syntax.Name(statement.name)) else None
-
-
-def _sets(body: Block, target: syntax.Name) -> bool:
-    """Whether a body assigns to a variable, or hands it to a function by its name, which may."""
-    return any(
-        (type(node) is syntax.Assignment and node.target == target)
-        or (type(node) is syntax.Call and type(node.callee) is syntax.Name and target in node.arguments)
-        for node in everything(body)
-        if not (type(node) is syntax.Call and type(node.callee) is syntax.Name and node.callee.name in READING)
-    )
 
 
 def _each(walk: Walk, frame: Frame, statement: syntax.Each) -> str:
@@ -277,6 +253,8 @@ def _each(walk: Walk, frame: Frame, statement: syntax.Each) -> str:
         if items and (walk.turns >= widening.NESTED or len(items) > TURNS * 4):
             unknown = unknown or _one_function(items)
             unknown = unknown or Opaque(_too_much(walk), Location(frame.source.path, line), resolved)
+            if loop_copies.changes_elements(walk, statement, resolved, items):
+                _changed_elements(walk, frame, current, items, turn)
             items = []
         known = len(walk.made)
         for number, item in enumerate(items):
@@ -294,6 +272,20 @@ def _each(walk: Walk, frame: Frame, statement: syntax.Each) -> str:
             with walk.doubted(doubt):
                 widening.widened(walk, frame, current, loads or matters, line, partial(turn, unknown))
     return _leave(walk, current, goes_on=True)
+
+
+def _changed_elements(
+    walk: Walk, frame: Frame, loop: Loop, items: list[Value | Cell], turn: Function_[[Value | Cell], str]
+) -> None:
+    """What turns may change in elements that are known, where the turns are not gone through one by one."""
+    walk.quiet += 1
+    try:
+        _possible(walk, frame, loop, [partial(turn, item) for item in items[:CHANGING]])
+    finally:
+        walk.quiet -= 1
+    for item in items[CHANGING:]:
+        cell = item if isinstance(item, Cell) else Cell(item)
+        unknown_calls.forget(walk, frame, cell, CHANGED)
 
 
 def _listed(walk: Walk, frame: Frame, iterable: Expression) -> tuple[Sequence | None, object]:

@@ -55,3 +55,40 @@ def test_elements_are_bounded() -> None:
 def test_what_has_no_bound_names_none(test: str) -> None:
     reasons = why(cpp(f'int k = 0; while ({test}) {{ k++; ADV("t" + std::to_string(k), 1); }}'))
     assert reasons and not any(reason.startswith("the bound of") for reason in reasons)
+
+
+#: Loops in loops whose inner one changes elements by its variable, and what the list then has for its only element "a".
+CHANGED_INSIDE = (
+    ('for (auto& w : v) w += "_y";', "/a_y"),
+    ('for (int i = 0; i < 1; i++) for (auto& w : v) w += "_y";', "/?"),
+    ('for (int i = 0; i < 1; i++) for (std::string& w : v) { w = w + "_y"; }', "/?"),
+    ('int n = 0; while (true) { if (n >= 1) break; n++; for (auto& w : v) w += "_y"; }', "/?"),
+    ('for (int i = 0; i < 1; i++) for (const auto& w : v) { s = w + "_y"; }', "/a"),
+    ('for (int i = 0; i < 1; i++) for (auto w : v) { w += "_y"; }', "/a"),
+    ("for (int i = 0; i < 1; i++) for (auto& w : v) { s = w; }", "/a"),
+)
+
+
+@pytest.mark.parametrize(("loop", "expected"), CHANGED_INSIDE)
+def test_elements_that_a_loop_in_a_loop_changes(loop: str, expected: str) -> None:
+    found = cpp(f'std::vector<std::string> v{{"a"}}; std::string s; {loop} ADV(v[0], 1);')
+    assert names(found) == [expected]
+
+
+#: The same in Python, where objects and lists are changed, and texts are not.
+CHANGED_INSIDE_PYTHON = (
+    ("for o in objects:\n        o.name = 'b'", "/b"),
+    ("for i in range(2):\n        for o in objects:\n            o.name = 'b'", "/b"),
+    ("while input():\n        for o in objects:\n            o.name = 'b'", "/?"),
+    ("while input():\n        while input():\n            for o in objects:\n                o.set('b')", "/?"),
+    ("for i in range(2):\n        for o in objects:\n            o.set('b')", "/b"),
+    ("for i in range(2):\n        for o in objects:\n            o = 'b'", "/a"),
+    ("for i in range(2):\n        for o in objects:\n            print(o.name)", "/a"),
+)
+
+
+@pytest.mark.parametrize(("loop", "expected"), CHANGED_INSIDE_PYTHON)
+def test_objects_that_a_loop_in_a_loop_changes(loop: str, expected: str) -> None:
+    before = "class C:\n    def __init__(self):\n        self.name = 'a'\n    def set(self, name):\n        self.name = name\n"
+    body = f"objects = [C()]\ndef go():\n    {loop}\ngo()\nrospy.Publisher(objects[0].name, String, queue_size=1)"
+    assert names(python(before + body)) == [expected]
