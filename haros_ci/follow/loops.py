@@ -32,6 +32,7 @@ from haros_ci.values.abstract import Callable, Cell, Object, Opaque, Sequence, V
 LONG, REHEARSED = 2_000, 8_000
 #: Why a turn may not be taken.
 SOME_PATHS = "what it is made for is an element of the list on some paths only"
+UNORDERED = "the loop ends at an element of the list, of which the order is not known"
 #: Why a value is not known after turns that are not gone through one by one, where a bound is reached.
 TOO_LONG = f"{BOUND}{LONG} steps for the turns of a loop is reached"
 TOO_MANY = f"{BOUND}{TURNS} turns of a loop is reached"
@@ -209,7 +210,7 @@ def for_each(walk: Walk, frame: Frame, statement: syntax.Each) -> str:
 def _each(walk: Walk, frame: Frame, statement: syntax.Each) -> str:
     line, column, text = statement.line, statement.column, statement.text
     name, kind, iterable, body = statement.name, statement.type, statement.iterable, statement.body
-    items, others = static_types.some_elements(walk, frame, iterable)
+    items, others, is_ordered = static_types.some_elements(walk, frame, iterable)
     if walk.is_raised:
         return NEXT
     listed, before = _listed(walk, frame, iterable) if items else (None, None)
@@ -257,18 +258,26 @@ def _each(walk: Walk, frame: Frame, statement: syntax.Each) -> str:
                 _changed_elements(walk, frame, current, items, turn)
             items = []
         known = len(walk.made)
+        kept, possible, reason = None if is_ordered else keep(walk), list[Value | Cell](others or ()), SOME_PATHS
         for number, item in enumerate(items):
             ended = _counted(walk, frame, current, number, partial(turn, item))
             forget_dead(walk, known)
+            if ended != NEXT and kept is not None:  # what comes first in the list is not known: it may be any of them
+                go_back(walk, kept)
+                walk.state.undo(current.mark)
+                current.breaks.clear()
+                possible, reason = [*possible, *items], UNORDERED
+                break
             if ended != NEXT:
                 return _leave(walk, current, goes_on=False, ended=ended)
         if listed is not None and listed.content.value is not before and unknown is None:
             unknown = Opaque(CHANGED, Location(frame.source.path, line), resolved)
+        matters = _matters(walk, frame, body, None) if possible or unknown is not None else False
+        if possible and (unknown is None or (matters and not walk.quiet)):
+            current.turn = 0
+            _possible(walk, frame, current, [partial(turn, item) for item in possible], reason)
         if unknown is not None:
             current.turn = 0
-            matters = _matters(walk, frame, body, None)
-            if others and matters and not walk.quiet:
-                _possible(walk, frame, current, [partial(turn, other) for other in others])
             with walk.doubted(doubt):
                 widening.widened(walk, frame, current, loads or matters, line, partial(turn, unknown))
     return _leave(walk, current, goes_on=True)
@@ -280,7 +289,7 @@ def _changed_elements(
     """What turns may change in elements that are known, where the turns are not gone through one by one."""
     walk.quiet += 1
     try:
-        _possible(walk, frame, loop, [partial(turn, item) for item in items[:CHANGING]])
+        _possible(walk, frame, loop, [partial(turn, item) for item in items[:CHANGING]], SOME_PATHS)
     finally:
         walk.quiet -= 1
     for item in items[CHANGING:]:
@@ -314,11 +323,11 @@ def _element_type(walk: Walk, frame: Frame, iterable: Expression, written: Type)
     return static_types.element_type(walk, frame, iterable) if written.name in ("", "auto") else written
 
 
-def _possible(walk: Walk, frame: Frame, loop: Loop, turns: list[Function_[[], str]]) -> None:
-    """Turns for elements that a list has on some paths: what these make and leave behind may be so."""
+def _possible(walk: Walk, frame: Frame, loop: Loop, turns: list[Function_[[], str]], reason: str) -> None:
+    """Turns that there may be, for the *reason* given: what these make and leave behind may be so."""
     mark = walk.state.mark()
     for turn in turns:
-        with walk.doubted(SOME_PATHS):
+        with walk.doubted(reason):
             ended = widening.turn(walk, frame, loop, turn)
         writes = walk.state.undo(mark)
         walk.state.merge([{}, writes] if ended == NEXT else [{}])

@@ -29,14 +29,14 @@ from haros_ci.values.state import certain, possible
 
 def elements(walk: Walk, frame: Frame, expression: Expression) -> list[Value | Cell] | None:
     """The elements that a loop goes through; None if they are not known."""
-    found, others = some_elements(walk, frame, expression)
+    found, others, _ = some_elements(walk, frame, expression)
     return found if others is None else None
 
 
 def some_elements(
     walk: Walk, frame: Frame, expression: Expression
-) -> tuple[list[Value | Cell], tuple[Cell, ...] | None]:
-    """Elements that a loop goes through for sure, and objects that are elements on some paths: None if these are all.
+) -> tuple[list[Value | Cell], tuple[Cell, ...] | None, bool]:
+    """Elements that a loop goes through for sure, objects that are elements on some paths (None if these are all), and whether those come in this order.
 
     Where a branch is not taken, a text stands for the list that the branch is for: its letters are no elements.
     """
@@ -47,15 +47,16 @@ def some_elements(
         ordering.put(walk, value)
     if isinstance(value, Sequence) and isinstance(value.content.value, Opaque):
         if isinstance(value.content.value, Partial) and value.content.value.is_all:
-            return list(value.content.value.some), None
-        return list(certain(value.content.value)), objects(value.content.value)
+            return list(value.content.value.some), None, False
+        items = list[Value | Cell](certain(value.content.value))
+        return items, objects(value.content.value), not items
     if isinstance(value, ClassValue) and (every := enums.elements(walk, value)) is not None:
-        return [*every], None
+        return [*every], None, True
     is_dead = bool(walk.dead or frame.is_dead)
     found = (
         None if is_dead and isinstance(value, Known) and issubclass(value.kind, str) else _all_elements(frame, value)
     )
-    return ([], ()) if found is None else (found, None)
+    return ([], (), True) if found is None else (found, None, True)
 
 
 def objects(content: Opaque) -> tuple[Cell, ...]:

@@ -6,7 +6,7 @@ from __future__ import annotations
 import pytest
 from follow_kit import cpp, ends, names, python
 
-from haros_ci.follow.loops import LONG, TOO_LONG, TOO_MANY, TOO_MANY_ITEMS, TURNS
+from haros_ci.follow.loops import LONG, TOO_LONG, TOO_MANY, TOO_MANY_ITEMS, TURNS, UNORDERED
 from haros_ci.model.architecture import Node
 
 #: A function that is given away and does not end: it takes hundreds of steps for a turn of its own.
@@ -92,3 +92,22 @@ def test_objects_that_a_loop_in_a_loop_changes(loop: str, expected: str) -> None
     before = "class C:\n    def __init__(self):\n        self.name = 'a'\n    def set(self, name):\n        self.name = name\n"
     body = f"objects = [C()]\ndef go():\n    {loop}\ngo()\nrospy.Publisher(objects[0].name, String, queue_size=1)"
     assert names(python(before + body)) == [expected]
+
+
+#: A list that is sorted by a function, so that its order is not known, and what a loop makes of it that ends at the first, second or no element.
+SORTED = (
+    ("for (const auto& w : v) { ADV(w, 1); }", ["/a", "/b", "/c"], True),
+    ("for (const auto& w : v) { ADV(w, 1); break; }", ["/a", "/b", "/c"], False),
+    ("for (const auto& w : v) { ADV(w, 1); if (1 > 0) throw 1; }", ["/a", "/b", "/c"], False),
+    ('for (const auto& w : v) { if (w == "b") break; } ADV("z", 1);', ["/z"], True),
+    ('std::string s; for (const auto& w : v) { if (w == "b") { s = w; break; } } ADV(s, 1);', ["/?"], True),
+)
+
+
+@pytest.mark.parametrize(("loop", "expected", "is_certain"), SORTED)
+def test_loops_over_a_list_of_an_order_that_is_not_known(loop: str, expected: list[str], is_certain: bool) -> None:
+    less = "[](const std::string& a, const std::string& b) { return a.size() < b.size(); }"
+    found = cpp(f'std::vector<std::string> v{{"c", "a", "b"}}; std::sort(v.begin(), v.end(), {less}); {loop}')
+    assert sorted(names(found)) == expected
+    doubts = [item.reason for end in ends(found) for item in end.unknowns if item.field == "conditions"]
+    assert (UNORDERED not in doubts) is is_certain
