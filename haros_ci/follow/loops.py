@@ -64,13 +64,15 @@ def loop(walk: Walk, frame: Frame, statement: syntax.Loop) -> str:
     def after_and_test() -> None:
         after()
         if test is not None:
-            expressions.evaluate(walk, frame, test)
+            with widening.first_of_do(walk, keyword == "do"):
+                expressions.evaluate(walk, frame, test)
 
     try:
         for item in first:
             statements.STATEMENTS[type(item)](walk, frame, item)
+        begins = keyword == "do" or _holds(walk, frame, test)  # what stands in the test is done in any case
         with walk.under(keyword, text, Location(frame.source.path, line, column)):
-            ended = _turned(walk, frame, statement, current, one, after)
+            ended = _turned(walk, frame, statement, current, begins, one, after)
             if ended is not None:
                 return ended
             current.turn = 0
@@ -83,9 +85,18 @@ def loop(walk: Walk, frame: Frame, statement: syntax.Loop) -> str:
 
 
 def _turned(
-    walk: Walk, frame: Frame, statement: syntax.Loop, loop: Loop, one: Function_[[], str], after: Function_[[], None]
+    walk: Walk,
+    frame: Frame,
+    statement: syntax.Loop,
+    loop: Loop,
+    begins: bool | None,
+    one: Function_[[], str],
+    after: Function_[[], None],
 ) -> str | None:
-    """Go through a loop turn by turn, as long as that is known and worth it: how it ends; None if that is not seen."""
+    """Go through a loop turn by turn, as long as that is known and worth it: how it ends; None if that is not seen.
+
+    *begins* says whether it has a first turn, as far as that is known.
+    """
     test, before = statement.test, (walk.steps - walk.aside, walk.quiet_steps)
     worthwhile = _worthwhile(walk, frame, statement.body, test)
     loop.is_endless = thrown.is_endless(test)
@@ -94,7 +105,9 @@ def _turned(
     is_kept = loop.is_endless and worthwhile and not walk.quiet
     start, first = (keep(walk), walk.state.mark()) if is_kept else None, 0
     for turn in range(TURNS):
-        holds = _holds(walk, frame, test) if turn or statement.keyword != "do" else True
+        is_sure = statement.keyword == "do" and turn < 2  # of the test that ends the first turn
+        with widening.first_of_do(walk, is_sure):
+            holds = _holds(walk, frame, test) if turn else begins
         if not holds:
             return _leave(walk, loop, goes_on=True) if holds is False else None
         if not worthwhile or _is_long(walk, loop, *before):
@@ -102,7 +115,8 @@ def _turned(
         if loop.runs_on:
             follow.meanwhile(walk, frame)
         there, begun, mark = walk.extent(), tick(), walk.state.mark()
-        ended = _counted(walk, frame, loop, turn, one, after)
+        with widening.first_of_do(walk, is_sure and not turn):
+            ended = _counted(walk, frame, loop, turn, one, after)
         if ended != NEXT:
             return _leave(walk, loop, goes_on=False, ended=ended)
         first = first or len(walk.made)

@@ -3,7 +3,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 
 from haros_ci.follow import alternatives, early, follow
 from haros_ci.follow.frames import BREAK, CONTINUE, NEXT, Frame, Loop
@@ -18,6 +19,17 @@ from haros_ci.values.state import certain, joined
 REHEARSALS = 3
 #: Turns around a loop from which on it is widened: 2 for each loop that is gone through, all of them in a rehearsal.
 NESTED = 8
+
+
+@contextmanager
+def first_of_do(walk: Walk, is_so: bool) -> Iterator[None]:
+    """The first turn of ``do … while`` and the test behind it do not stand under the test of the loop; all else does."""
+    last = walk.conditions.pop() if is_so else None
+    try:
+        yield
+    finally:
+        if last is not None:
+            walk.conditions.append(last)
 
 
 def turn(walk: Walk, frame: Frame, loop: Loop, body: Callable[[], str], after: Callable[[], None] | None = None) -> str:

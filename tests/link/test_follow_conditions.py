@@ -36,7 +36,7 @@ CPP = (
     ("for", "", "for (int i = 0; cond(); ++i) make();", [("for", "cond()", 10, 1)]),
     ("range-for", "", "for (auto x : xs) make();", [("for", "auto x : xs", 10, 1)]),
     ("while", "", "while (cond()) make();", [("while", "cond()", 10, 1)]),
-    ("do", "", "do { make(); } while (cond());", [("do", "cond()", 10, 1)]),
+    ("do", "", "do { make(); } while (cond());", []),
     ("switch", "", "switch (number()) {\n case 1: make(); }", [("switch", "number()", 10, 1)]),
     (
         "catch",

@@ -93,3 +93,35 @@ def test_many_objects_of_one_class() -> None:
     found = python(AGAIN.replace('Worker("again")', "pass") + 'for i in range(12):\n    Worker("w%d" % i)\n')
     assert names(found) == sorted(f"/w{number}" for number in range(12))
     assert not [unknown for unknown in found.unknowns if unknown.field == "endpoints"]
+
+
+#: What the test of a loop reads is read in any case; what stands in its body, in its step or behind ``&&`` is not.
+READ_IN_TESTS = (
+    ("while (!nh.hasParam(text())) { x(); }", True),
+    ("for (x(); nh.hasParam(text()); x()) { x(); }", True),
+    ("do { x(); } while (!nh.hasParam(text()));", True),
+    ("do { nh.hasParam(text()); } while (cond());", True),
+    ("do { if (cond()) nh.hasParam(text()); } while (cond());", False),
+    ("do { while (cond()) nh.hasParam(text()); } while (cond());", False),
+    ("int i = 0; do { if (i > 0) nh.hasParam(text()); i++; } while (cond());", False),
+    ("while (cond()) { nh.hasParam(text()); }", False),
+    ("for (x(); cond(); nh.hasParam(text())) { x(); }", False),
+    ("while (cond() && nh.hasParam(text())) { x(); }", False),
+    ("while (cond()) { while (nh.hasParam(text())) { x(); } }", False),
+)
+
+
+@pytest.mark.parametrize(("code", "is_certain"), READ_IN_TESTS)
+def test_conditions_of_what_a_test_reads(code: str, is_certain: bool) -> None:
+    found = cpp('ADV("base", 1); ' + code, "#include <string>\nbool cond(); std::string text(); void x();\n")
+    (end,) = [end for end in found.endpoints if end.kind == "getters" and not end.implicit]
+    doubts = [item.reason for item in end.unknowns if item.field == "conditions"]
+    assert (not end.conditions and not doubts) is is_certain
+
+
+def test_a_test_of_python_is_no_condition_of_what_it_reads() -> None:
+    found = python("while rospy.get_param('a') is False:\n    rospy.get_param('b')\n    rospy.sleep(1)\n")
+    conditions = {
+        end.name: [item.statement for item in end.conditions] for end in found.endpoints if end.kind == "getters"
+    }
+    assert conditions == {"/a": [], "/b": ["while"]}
