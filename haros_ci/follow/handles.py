@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING
 
 from haros_ci import syntax
 from haros_ci.follow.frames import Frame
-from haros_ci.follow.ros import api_rows, selectors
+from haros_ci.follow.ros import api_rows, ros2_nodes, selectors
 from haros_ci.follow.ros.own_names import own_names
+from haros_ci.follow.walk import Walk
 from haros_ci.graph.names import pattern, resolve
 from haros_ci.index.types import STRINGS, pointee
 from haros_ci.model.api import Entry
@@ -87,3 +88,12 @@ def by_method(frame: Frame, name: str, args: tuple[PassedArgument, ...], targs: 
         return ""
     calls_back = name == "subscribe" and len(args) > 2 and any(isinstance(one.value, Callable) for one in args)
     return api_rows.handle(name, len(args), bool(targs)) or ("ros::NodeHandle" if calls_back else "")
+
+
+def node_class(
+    walk: Walk, frame: Frame, name: str, args: tuple[PassedArgument, ...], targs: tuple[syntax.Argument, ...]
+) -> str:
+    """The class that a method can only be of, whatever it is called on: a node handle's or, in ROS 2, a node's; else ""."""
+    if walk.context.process is not None:
+        return ros2_nodes.NODE[frame.source.separator] if name in ros2_nodes.UNMISTAKABLE else ""
+    return by_method(frame, name, args, targs)

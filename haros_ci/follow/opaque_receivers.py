@@ -6,7 +6,7 @@ from __future__ import annotations
 from functools import partial
 
 from haros_ci import syntax
-from haros_ci.follow import alternatives, call_arguments, calls, dynamic, methods
+from haros_ci.follow import alternatives, call_arguments, calls, dynamic, handles, methods
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import library
 from haros_ci.follow.libraries import objects as library_objects
@@ -56,7 +56,7 @@ def method_call(
         if of_node is not None:
             return of_node
     else:
-        handle = api_rows.node_class(walk, name, frame.source.separator, len(args), bool(targs))
+        handle = handles.node_class(walk, frame, name, args, targs)
         if handle:
             stand_in = Object(handle, namespace=receiver)
             qualified = f"{handle}{frame.source.separator}{name}"

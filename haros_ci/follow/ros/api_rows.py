@@ -55,7 +55,9 @@ if TYPE_CHECKING:
 UPDATES = frozenset(("_callback", "_set_callback"))
 HANDLES = frozenset(("ros::NodeHandle",))
 #: Methods that no other class has: a receiver of unknown type is taken for a node handle.
-UNMISTAKABLE = frozenset(("advertise", "advertiseService", "serviceClient"))
+UNMISTAKABLE = frozenset(
+    "advertise advertiseService serviceClient getParam getParamCached setParam hasParam searchParam deleteParam".split()
+)
 CAMERAS = frozenset(("advertiseCamera", "subscribeCamera"))
 
 
@@ -64,13 +66,6 @@ def handle(name: str, count: int, is_typed: bool) -> str:
     if name in CAMERAS or (name == "advertise" and count > 1 and not is_typed):
         return "image_transport::ImageTransport"
     return "ros::NodeHandle" if name in UNMISTAKABLE else ""
-
-
-def node_class(walk: Walk, name: str, separator: str, count: int, is_typed: bool) -> str:
-    """The class that a method can only be of, whatever it is called on: a node handle's or, in ROS 2, a node's; else ""."""
-    if walk.context.process is not None:
-        return ros2_nodes.NODE[separator] if name in ros2_nodes.UNMISTAKABLE else ""
-    return handle(name, count, is_typed) if separator == "::" else ""
 
 
 def call(
