@@ -7,7 +7,7 @@ from haros_ci import syntax
 from haros_ci.follow import call_arguments, callbacks, copies, handed_out, methods, partials
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import library
-from haros_ci.follow.ros import api_rows, outside_nodes, ros2_nodes
+from haros_ci.follow.ros import api_rows, given_nodes, outside_nodes, ros2_nodes
 from haros_ci.follow.walk import Walk
 from haros_ci.model.location import Location
 from haros_ci.syntax import Class, Type
@@ -98,4 +98,6 @@ def construct_library(
     location: Location,
 ) -> None:
     """What the constructor of a library's class makes, on *this*."""
+    if kind.name not in walk.rows:
+        given_nodes.note(walk, kind.name, (argument.value for argument in args), location)
     api_rows.construct(walk, frame, this, kind, args, location)
