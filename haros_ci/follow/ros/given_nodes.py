@@ -28,7 +28,9 @@ def note(walk: Walk, name: str, values: Iterable[Value], location: Location) -> 
     is_other = name.startswith(ros2_nodes.DECLARING_NOTHING) or given_away.is_known(name) or _is_of_python(name)
     if walk.quiet or walk.is_raised or is_other or _OTHERS.match(name):
         return
-    if any(_is_node(walk, value) for value in values):
+    is_of_library = "::" in name or "." in name  # else it may be a variable's
+    is_here = name in walk.index.functions or name in walk.index.classes
+    if is_of_library and not is_here and any(_is_node(walk, value) for value in values):
         walk.gaps.setdefault(GIVEN.format(name), location)
 
 
