@@ -223,37 +223,13 @@ def for_each(walk: Walk, frame: Frame, statement: syntax.Each) -> str:
 
 def _each(walk: Walk, frame: Frame, statement: syntax.Each) -> str:
     line, column, text = statement.line, statement.column, statement.text
-    name, kind, iterable, body = statement.name, statement.type, statement.iterable, statement.body
+    iterable, body = statement.iterable, statement.body
     items, others, is_ordered = static_types.some_elements(walk, frame, iterable)
     if walk.is_raised:
         return NEXT
     listed, before = _listed(walk, frame, iterable) if items else (None, None)
-    resolved = walk.type_in(kind, frame)
-
-    def turn(value: Value | Cell) -> str:
-        frame.scopes.append({})
-        try:
-            if isinstance(value, Cell) and "&" in resolved.marks:
-                frame.declare(name, copies.referred(walk, value, resolved))
-            else:
-                inner = value.value if isinstance(value, Cell) else value
-                if (
-                    isinstance(inner, Object)
-                    and frame.source.separator == "::"
-                    and "&" not in resolved.marks
-                    and loop_copies.changes(walk, statement)
-                ):
-                    held = (
-                        resolved
-                        if resolved.name not in ("", "auto")
-                        else _element_type(walk, frame, iterable, resolved)
-                    )
-                    inner = copies.copied(walk, inner, loop_copies.element_type(inner, held))
-                frame.declare(name, Cell(inner, resolved if resolved.name not in ("", "auto") else None))
-            return statements.execute(walk, frame, body)
-        finally:
-            frame.scopes.pop()
-
+    resolved = walk.type_in(statement.type, frame)
+    turn = partial(_turn, walk, frame, statement, resolved)
     current = Loop(walk.state.mark())
     with walk.under("for", text, Location(frame.source.path, line, column)):
         unknown: Value | None = None
@@ -295,6 +271,25 @@ def _each(walk: Walk, frame: Frame, statement: syntax.Each) -> str:
             with walk.doubted(doubt):
                 widening.widened(walk, frame, current, loads or matters, line, partial(turn, unknown))
     return _leave(walk, current, goes_on=True)
+
+
+def _turn(walk: Walk, frame: Frame, statement: syntax.Each, kind: Type, value: Value | Cell) -> str:
+    """The body of a loop for one element, which its variable of the type *kind* is, or is a copy of."""
+    is_written = kind.name not in ("", "auto")
+    frame.scopes.append({})
+    try:
+        if isinstance(value, Cell) and "&" in kind.marks:
+            frame.declare(statement.name, copies.referred(walk, value, kind))
+        else:
+            inner = value.value if isinstance(value, Cell) else value
+            is_copied = frame.source.separator == "::" and "&" not in kind.marks
+            if isinstance(inner, Object) and is_copied and loop_copies.changes(walk, statement):
+                held = kind if is_written else _element_type(walk, frame, statement.iterable, kind)
+                inner = copies.copied(walk, inner, loop_copies.element_type(inner, held))
+            frame.declare(statement.name, Cell(inner, kind if is_written else None))
+        return statements.execute(walk, frame, statement.body)
+    finally:
+        frame.scopes.pop()
 
 
 def _changed_elements(
