@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from haros_ci import syntax
-from haros_ci.follow import copies, expressions
+from haros_ci.follow import copies, expressions, statements, static_types
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.walk import Walk
 from haros_ci.syntax import Block, Expression, Type
@@ -80,3 +80,27 @@ def _sets(body: Block, target: syntax.Name) -> bool:
         for node in everything(body)
         if not (type(node) is syntax.Call and type(node.callee) is syntax.Name and node.callee.name in READING)
     )
+
+
+def turn(walk: Walk, frame: Frame, statement: syntax.Each, kind: Type, value: Value | Cell) -> str:
+    """The body of a loop for one element, which its variable of the type *kind* is, or is a copy of."""
+    is_written = kind.name not in ("", "auto")
+    frame.scopes.append({})
+    try:
+        if isinstance(value, Cell) and "&" in kind.marks:
+            frame.declare(statement.name, copies.referred(walk, value, kind))
+        else:
+            inner = value.value if isinstance(value, Cell) else value
+            is_copied = frame.source.separator == "::" and "&" not in kind.marks
+            if isinstance(inner, Object) and is_copied and changes(walk, statement):
+                held = kind if is_written else type_of_element(walk, frame, statement.iterable, kind)
+                inner = copies.copied(walk, inner, element_type(inner, held))
+            frame.declare(statement.name, Cell(inner, kind if is_written else None))
+        return statements.execute(walk, frame, statement.body)
+    finally:
+        frame.scopes.pop()
+
+
+def type_of_element(walk: Walk, frame: Frame, iterable: Expression, written: Type) -> Type | None:
+    """The type of the elements of a list, where a loop does not write it."""
+    return static_types.element_type(walk, frame, iterable) if written.name in ("", "auto") else written

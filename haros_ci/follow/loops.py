@@ -9,7 +9,6 @@ from functools import partial, reduce
 from haros_ci import syntax
 from haros_ci.follow import (
     beside,
-    copies,
     expressions,
     follow,
     lookup,
@@ -25,8 +24,8 @@ from haros_ci.follow.libraries import gazebo
 from haros_ci.follow.made import forget_dead, go_back, keep
 from haros_ci.follow.walk import TURNS, Walk
 from haros_ci.model.location import Location
-from haros_ci.syntax import Block, Expression, Type
-from haros_ci.values.abstract import Callable, Cell, Object, Opaque, Sequence, Value, join, tick
+from haros_ci.syntax import Block, Expression
+from haros_ci.values.abstract import Callable, Cell, Opaque, Sequence, Value, join, tick
 
 #: Steps after which the turns of a loop are no longer gone through one by one; those of rehearsals in it that do not count.
 LONG, REHEARSED = 2_000, 8_000
@@ -229,37 +228,32 @@ def _each(walk: Walk, frame: Frame, statement: syntax.Each) -> str:
         return NEXT
     listed, before = _listed(walk, frame, iterable) if items else (None, None)
     resolved = walk.type_in(statement.type, frame)
-    turn = partial(_turn, walk, frame, statement, resolved)
+    turn = partial(loop_copies.turn, walk, frame, statement, resolved)
     current = Loop(walk.state.mark())
     with walk.under("for", text, Location(frame.source.path, line, column)):
         unknown: Value | None = None
         if others is not None:
-            kind_ = _element_type(walk, frame, iterable, resolved)
+            kind_ = loop_copies.type_of_element(walk, frame, iterable, resolved)
             unknown = Opaque("an element of a list that is not known", Location(frame.source.path, line), kind_)
         doubt = None
         loads = walk.context.of_base is not None and walk.relevance.loads(body, frame.source)
         if others is None and not items and loads:
             doubt = NAMED
-            unknown = Opaque(NAMED, Location(frame.source.path, line), _element_type(walk, frame, iterable, resolved))
+            unknown = Opaque(
+                NAMED, Location(frame.source.path, line), loop_copies.type_of_element(walk, frame, iterable, resolved)
+            )
         if items and (walk.turns >= widening.NESTED or len(items) > TURNS * 4):
             unknown = unknown or _one_function(items)
             unknown = unknown or Opaque(_too_much(walk), Location(frame.source.path, line), resolved)
             if loop_copies.changes_elements(walk, statement, resolved, items):
                 _changed_elements(walk, frame, current, items, turn)
             items = []
-        known = len(walk.made)
-        kept, possible, reason = None if is_ordered else keep(walk), list[Value | Cell](others or ()), SOME_PATHS
-        for number, item in enumerate(items):
-            ended = _counted(walk, frame, current, number, partial(turn, item))
-            forget_dead(walk, known)
-            if ended != NEXT and kept is not None:  # what comes first in the list is not known: it may be any of them
-                go_back(walk, kept)
-                walk.state.undo(current.mark)
-                current.breaks.clear()
-                possible, reason = [*possible, *items], UNORDERED
-                break
-            if ended != NEXT:
-                return _leave(walk, current, goes_on=False, ended=ended)
+        possible, reason = list[Value | Cell](others or ()), SOME_PATHS
+        ended = _one_by_one(walk, frame, current, items, turn, is_ordered)
+        if ended == UNORDERED:
+            possible, reason = [*possible, *items], UNORDERED
+        elif ended != NEXT:
+            return _leave(walk, current, goes_on=False, ended=ended)
         if listed is not None and listed.content.value is not before and unknown is None:
             unknown = Opaque(CHANGED, Location(frame.source.path, line), resolved)
         matters = _matters(walk, frame, body, None) if possible or unknown is not None else False
@@ -273,23 +267,28 @@ def _each(walk: Walk, frame: Frame, statement: syntax.Each) -> str:
     return _leave(walk, current, goes_on=True)
 
 
-def _turn(walk: Walk, frame: Frame, statement: syntax.Each, kind: Type, value: Value | Cell) -> str:
-    """The body of a loop for one element, which its variable of the type *kind* is, or is a copy of."""
-    is_written = kind.name not in ("", "auto")
-    frame.scopes.append({})
-    try:
-        if isinstance(value, Cell) and "&" in kind.marks:
-            frame.declare(statement.name, copies.referred(walk, value, kind))
-        else:
-            inner = value.value if isinstance(value, Cell) else value
-            is_copied = frame.source.separator == "::" and "&" not in kind.marks
-            if isinstance(inner, Object) and is_copied and loop_copies.changes(walk, statement):
-                held = kind if is_written else _element_type(walk, frame, statement.iterable, kind)
-                inner = copies.copied(walk, inner, loop_copies.element_type(inner, held))
-            frame.declare(statement.name, Cell(inner, kind if is_written else None))
-        return statements.execute(walk, frame, statement.body)
-    finally:
-        frame.scopes.pop()
+def _one_by_one(
+    walk: Walk,
+    frame: Frame,
+    loop: Loop,
+    items: list[Value | Cell],
+    turn: Function_[[Value | Cell], str],
+    is_ordered: bool,
+) -> str:
+    """How the turns for the *items* end; ``UNORDERED`` where one ends the loop, and it is not known which comes first: then none is done."""
+    known, kept = len(walk.made), None if is_ordered else keep(walk)
+    for number, item in enumerate(items):
+        ended = _counted(walk, frame, loop, number, partial(turn, item))
+        forget_dead(walk, known)
+        if ended == NEXT:
+            continue
+        if kept is None:
+            return ended
+        go_back(walk, kept)
+        walk.state.undo(loop.mark)
+        loop.breaks.clear()
+        return UNORDERED
+    return NEXT
 
 
 def _changed_elements(
@@ -326,10 +325,6 @@ def _one_function(items: list[Value | Cell]) -> Value | None:
 def _too_much(walk: Walk) -> str:
     """Why the elements of a list that is known are not gone through."""
     return TOO_DEEP if walk.turns >= widening.NESTED else TOO_MANY_ITEMS
-
-
-def _element_type(walk: Walk, frame: Frame, iterable: Expression, written: Type) -> Type | None:
-    return static_types.element_type(walk, frame, iterable) if written.name in ("", "auto") else written
 
 
 def _possible(walk: Walk, frame: Frame, loop: Loop, turns: list[Function_[[], str]], reason: str) -> None:
