@@ -48,11 +48,13 @@ def _is_data(value: Value) -> bool:
     return isinstance(value, Known) and issubclass(value.kind, (list, dict))
 
 
-def called(walk: Walk, frame: Frame, name: str, args: tuple[PassedArgument, ...]) -> None:
-    """Lambdas that are given to a function that is not known may run there, any number of times."""
+def called(walk: Walk, frame: Frame, name: str, args: tuple[PassedArgument, ...], is_algorithm: bool = False) -> None:
+    """Lambdas that are given to a function that is not known may run there, any number of times; so does any function that an algorithm is given."""
     for argument in args:
         function = argument.value
-        if not isinstance(function, Callable) or function.frame is None or function.function.body is None:
+        if not isinstance(function, Callable) or function.function.body is None:
+            continue
+        if function.frame is None and not is_algorithm:
             continue
         mark = walk.state.mark()
         walk.quiet += 1

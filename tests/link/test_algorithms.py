@@ -79,3 +79,38 @@ def test_what_an_algorithm_calls(code: str, expected: list[tuple[str, bool]]) ->
     assert (
         sorted((end.name, not any("goes through" in item.reason for item in end.unknowns)) for end in ends) == expected
     )
+
+
+N = (
+    'std::vector<int> numbers();\nstruct N { ros::NodeHandle nh; int n_ = 0; std::string name_ = "a";\n'
+    'void make(int i) { nh.advertise<std_msgs::String>("b" + std::to_string(n_++), 1); }\n'
+    'void set(int i) { name_ = "c"; }\nbool less(int i, int j) { return i < j; }\n'
+    "void go() { std::vector<int> u = numbers(); %s } };\n"
+)
+BOUND = "std::for_each(u.begin(), u.end(), std::bind(&N::%s, this, std::placeholders::_1));"
+#: The same with methods that are bound: they may be called several times, too.
+METHODS = (
+    (BOUND % "make", ["/b?"]),
+    (BOUND % "set" + " nh.advertise<std_msgs::String>(name_, 1);", ["/?"]),
+    ("std::sort(u.begin(), u.end(), std::bind(&N::less, this)); nh.advertise<std_msgs::String>(name_, 1);", ["/a"]),
+    ("auto f = std::bind(&N::set, this, 1); nh.advertise<std_msgs::String>(name_, 1);", ["/a"]),
+)
+
+
+@pytest.mark.parametrize(("code", "expected"), METHODS)
+def test_methods_that_an_algorithm_calls(code: str, expected: list[str]) -> None:
+    assert names(cpp("N n; n.go();", OUTSIDE + N % code)) == expected
+
+
+#: Methods of which a function only takes the address, to give it away, and whether what they make is in the model.
+ADDRESSES = (
+    ("std::thread t(&N::make, this, 1); t.join();", ["/b?"]),
+    ("outside::call(std::bind(&N::make, this, 1));", ["/b?"]),
+    ("outside::call(std::bind(&N::set, this, 1));", []),
+    ("int i = 1; outside::call(&i);", []),
+)
+
+
+@pytest.mark.parametrize(("code", "expected"), ADDRESSES)
+def test_methods_that_are_given_away(code: str, expected: list[str]) -> None:
+    assert names(cpp("N n; n.go();", OUTSIDE + N % code)) == expected
