@@ -36,7 +36,7 @@ from haros_ci.follow import (
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import given_away, library
 from haros_ci.follow.libraries import objects as library_objects
-from haros_ci.follow.ros import api_rows, forwarding, outside_nodes, ros2_parameters
+from haros_ci.follow.ros import api_rows, forwarding, given_nodes, outside_nodes, ros2_parameters
 from haros_ci.follow.walk import Walk
 from haros_ci.index.types import is_smart_pointer
 from haros_ci.model.location import Location
@@ -174,7 +174,10 @@ def method_call(  # noqa: C901 - one branch for each kind of receiver, in the or
         of_node = outside_nodes.method(walk, frame, receiver, name, args, targs, location)
         if of_node is None:
             given_away.started(walk, name, receiver)
-        return of_node or library.unknown_call(walk, frame, f"{receiver.name}::{name}", args)
+        if of_node is not None:
+            return of_node
+        given_nodes.to_function(walk, f"{receiver.name}{frame.source.separator}{name}", args, location)
+        return library.unknown_call(walk, frame, f"{receiver.name}::{name}", args)
     if isinstance(receiver, Opaque):
         return opaque_receivers.method_call(walk, frame, receiver, cell, name, args, targs, location)
     of = "" if not isinstance(receiver, Library) or receiver.this else handles.by_method(frame, name, args, targs)

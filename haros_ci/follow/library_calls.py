@@ -20,7 +20,7 @@ from haros_ci.follow import (
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import harmless, library
 from haros_ci.follow.libraries import objects as library_objects
-from haros_ci.follow.ros import api_rows, outside_nodes, ros2_nodes
+from haros_ci.follow.ros import api_rows, given_nodes, outside_nodes, ros2_nodes
 from haros_ci.follow.walk import Walk
 from haros_ci.index.types import MAPS, SEQUENCES, STRINGS, is_smart_pointer
 from haros_ci.model.location import Location
@@ -171,7 +171,10 @@ def library_call(  # noqa: C901 - one branch for each kind of library
     made = _made(walk, frame, name, kinds, args, location) or _one(walk, frame, name, args, location)
     if made is None:
         calling_macros.note(walk, frame, name, location)
-    return made if made is not None else library.unknown_call(walk, frame, name, args)
+    if made is not None:
+        return made
+    given_nodes.to_function(walk, name, args, location)
+    return library.unknown_call(walk, frame, name, args)
 
 
 def _of_first_argument(

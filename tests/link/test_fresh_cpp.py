@@ -151,7 +151,7 @@ class D { public: D(ros::NodeHandle& n) { n.advertise<std_msgs::String>("a", 1);
 class E { public: E() {} };
 """
 SAID = "machines::machine is given class D and a node handle: whether it makes one is not seen"
-GIVEN = "machines::machine is not in the workspace, which is given the node and may make more on it"
+GIVEN = "the node is given to machines::machine, which is not in the workspace and may make more on it"
 TEMPLATES = (
     ("machines::machine<D> m(nh);", [GIVEN, SAID]),
     ("boost::shared_ptr<machines::machine<D> > m(new machines::machine<D>(nh));", [GIVEN, SAID]),

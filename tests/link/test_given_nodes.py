@@ -6,6 +6,11 @@ from __future__ import annotations
 import pytest
 from follow_kit import cpp, ros2_cpp
 
+from haros_ci.follow.ros.given_nodes import GIVEN
+from haros_ci.model.architecture import Node
+
+START = GIVEN.partition("{")[0]
+
 OUTSIDE = "namespace outside { class Driver; }\nstruct Mine { Mine(ros::NodeHandle n) {} };\nvoid mine(ros::NodeHandle & n) {}\n"
 OUTSIDE += "class Derived : public outside::Base { public: Derived(ros::NodeHandle n) : outside::Base(n) {} };\n"
 OUTSIDE += "class Held { public: Held(ros::NodeHandle n) : d_(n) {} outside::Driver d_; };\n"
@@ -18,6 +23,8 @@ FIRES = (
     ("outside::make(nh);", "outside::make"),
     ("Derived d(nh);", "outside::Base"),
     ("Held h(nh);", "outside::Driver"),
+    ("outside::Driver d(1); d.start(nh);", "outside::Driver::start"),
+    ("using namespace outside; Sensor s(nh);", "Sensor"),
 )
 QUIET = (
     "outside::Driver d(1);",
@@ -32,18 +39,21 @@ QUIET = (
     "std::vector<ros::NodeHandle> v; v.push_back(nh);",
     'LOG_IT(nh, "x");',
     "QTimer timer(nh);",
+    "QObject::connect(nh, text());",
+    "callback(nh);",
+    "f_(nh);",
     "assert(nh.ok());",
 )
 
 
-def reasons(found: object) -> list[str]:
-    return [item.reason for item in found.unknowns if "is given the node" in item.reason]  # type: ignore[attr-defined]
+def reasons(found: Node) -> list[str]:
+    return [item.reason for item in found.unknowns if item.reason.startswith(START)]
 
 
 @pytest.mark.parametrize(("code", "name"), FIRES)
 def test_a_library_is_given_a_handle(code: str, name: str) -> None:
     found = cpp(f'ADV("a", 1); {code}', OUTSIDE + "std::string text();\n")
-    assert reasons(found) == [f"{name} is not in the workspace, which is given the node and may make more on it"]
+    assert reasons(found) == [GIVEN.format(name)]
 
 
 @pytest.mark.parametrize("code", QUIET)

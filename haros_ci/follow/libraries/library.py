@@ -11,7 +11,7 @@ from haros_ci.follow.frames import Frame
 from haros_ci.follow.libraries import applying, containers, given_away, harmless, optionals
 from haros_ci.follow.libraries import cpp as library_cpp
 from haros_ci.follow.libraries import python as library_python
-from haros_ci.follow.ros import given_nodes, ros2_nodes
+from haros_ci.follow.ros import ros2_nodes
 from haros_ci.follow.walk import Walk
 from haros_ci.model.location import Location
 from haros_ci.syntax import Type
@@ -124,7 +124,7 @@ def unknown_call(
         if not is_algorithm or not isinstance(argument.value, Callable):
             callbacks.register(walk, argument.value, args)
     beside.note(walk, *(argument.value for argument in args))
-    unknown_calls.called(walk, frame, name, args)
+    unknown_calls.called(walk, frame, name, args, is_algorithm)
     if is_algorithm:
         applying.applied(walk, frame, name, args)
     held = given_away.among(frame, args)  # before what is given is forgotten
@@ -132,7 +132,6 @@ def unknown_call(
     unknown_calls.forget_passed(walk, frame, name, args)
     if not harmless.is_harmless(name, is_python):
         ros2_nodes.handed(walk, name, (argument.value for argument in args))
-        given_nodes.note(walk, name, (argument.value for argument in args), Location(frame.source.path))
         given_away.taken(walk, frame, name, held)
     elif name.startswith("super()."):  # of a library's class, which leaves alone what it is given, but knows it
         given_away.taken(walk, frame, name, held)

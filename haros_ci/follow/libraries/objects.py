@@ -99,5 +99,5 @@ def construct_library(
 ) -> None:
     """What the constructor of a library's class makes, on *this*."""
     if kind.name not in walk.rows:
-        given_nodes.note(walk, kind.name, (argument.value for argument in args), location)
+        given_nodes.to_class(walk, kind.name, args, location)
     api_rows.construct(walk, frame, this, kind, args, location)

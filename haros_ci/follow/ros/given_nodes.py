@@ -3,40 +3,44 @@
 
 from __future__ import annotations
 
-import builtins
 import sys
-from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
-from haros_ci.follow.libraries import given_away
+from haros_ci.follow.libraries import given_away, harmless
 from haros_ci.follow.ros import api_rows, ros2_nodes
 from haros_ci.model.location import Location
-from haros_ci.regex import regex
 from haros_ci.values.abstract import Object, Pointer, Value
 
 if TYPE_CHECKING:
+    from haros_ci.follow.call_arguments import PassedArgument
     from haros_ci.follow.walk import Walk
 
-#: Macros, which log before all, Qt's classes, and functions that keep what they are given for a function of the workspace.
-_OTHERS = regex(r"[A-Z][A-Z0-9_]+$|Q[A-Z]\w+|Qt\w*::|(?:QObject::)?connect$")
 #: Why a node may have more than is seen.
-GIVEN = "{} is not in the workspace, which is given the node and may make more on it"
+GIVEN = "the node is given to {}, which is not in the workspace and may make more on it"
 
 
-def note(walk: Walk, name: str, values: Iterable[Value], location: Location) -> None:
-    """Nodes or node handles among *values* are given to the function or class *name*, which is not seen."""
-    is_other = name.startswith(ros2_nodes.DECLARING_NOTHING) or given_away.is_known(name) or _is_of_python(name)
-    if walk.quiet or walk.is_raised or is_other or _OTHERS.match(name):
+def to_function(walk: Walk, name: str, args: tuple[PassedArgument, ...], location: Location) -> None:
+    """The function or method *name* of a library is called; a name without a namespace or module may be a variable's or a macro's."""
+    if "::" in name or "." in name:
+        to_class(walk, name, args, location)
+
+
+def to_class(walk: Walk, name: str, args: tuple[PassedArgument, ...], location: Location) -> None:
+    """The class *name* of a library is constructed: what it makes of a node among *args* is not known."""
+    if walk.quiet or walk.is_raised or not any(_is_node(walk, argument.value) for argument in args):
         return
-    is_of_library = "::" in name or "." in name  # else it may be a variable's
     is_here = name in walk.index.functions or name in walk.index.classes
-    if is_of_library and not is_here and any(_is_node(walk, value) for value in values):
+    if not is_here and not _leaves_alone(name):
         walk.gaps.setdefault(GIVEN.format(name), location)
 
 
-def _is_of_python(name: str) -> bool:
-    first, dot, _ = name.partition(".")
-    return first in given_away.KNOWN_PYTHON or first in sys.stdlib_module_names or (not dot and hasattr(builtins, name))
+def _leaves_alone(name: str) -> bool:
+    """Whether the library of a function or class makes nothing on nodes: the client libraries' own, Python's, Qt, and what only reads."""
+    first = name.partition(".")[0]
+    is_of_python = first in given_away.KNOWN_PYTHON or first in sys.stdlib_module_names
+    is_of_qt = given_away.is_known(name.partition("::")[0])
+    is_harmless = harmless.is_harmless(name, "::" not in name)
+    return is_of_python or is_of_qt or is_harmless or name.startswith(("super().", *ros2_nodes.DECLARING_NOTHING))
 
 
 def _is_node(walk: Walk, value: Value) -> bool:
