@@ -25,7 +25,7 @@ from haros_ci.follow.made import forget_dead, go_back, keep
 from haros_ci.follow.walk import TURNS, Walk
 from haros_ci.model.location import Location
 from haros_ci.syntax import Block, Expression
-from haros_ci.values.abstract import Callable, Cell, Opaque, Sequence, Value, join, tick
+from haros_ci.values.abstract import Callable, Cell, Object, Opaque, Pointer, Sequence, Value, join, tick
 
 #: Steps after which the turns of a loop are no longer gone through one by one; those of rehearsals in it that do not count.
 LONG, REHEARSED = 2_000, 8_000
@@ -302,7 +302,9 @@ def _changed_elements(
         walk.quiet -= 1
     for item in items[CHANGING:]:
         cell = item if isinstance(item, Cell) else Cell(item)
-        unknown_calls.forget(walk, frame, cell, CHANGED)
+        held = cell.value.cell.value if isinstance(cell.value, Pointer) else cell.value
+        for changed in held.fields.values() if isinstance(held, Object) else (cell,):
+            unknown_calls.forget(walk, frame, changed, CHANGED)
 
 
 def _listed(walk: Walk, frame: Frame, iterable: Expression) -> tuple[Sequence | None, object]:

@@ -6,7 +6,7 @@ from __future__ import annotations
 import pytest
 from follow_kit import cpp, ends, names, python
 
-from haros_ci.follow.loops import LONG, TOO_LONG, TOO_MANY, TOO_MANY_ITEMS, TURNS, UNORDERED
+from haros_ci.follow.loops import CHANGING, LONG, TOO_LONG, TOO_MANY, TOO_MANY_ITEMS, TURNS, UNORDERED
 from haros_ci.model.architecture import Node
 
 #: A function that is given away and does not end: it takes hundreds of steps for a turn of its own.
@@ -85,6 +85,23 @@ CHANGED_INSIDE_PYTHON = (
     ("for i in range(2):\n        for o in objects:\n            o = 'b'", "/a"),
     ("for i in range(2):\n        for o in objects:\n            print(o.name)", "/a"),
 )
+
+
+#: Many objects, of which the last ones are not gone through: what they had is not known, where the body changes them.
+MANY = (
+    ("while input():\n        for o in objects:\n            o.set('b')", "/?"),
+    ("while input():\n        for o in objects:\n            print(o.name)", "/a"),
+)
+
+
+@pytest.mark.parametrize(("loop", "expected"), MANY)
+def test_many_objects_that_a_loop_in_a_loop_changes(loop: str, expected: str) -> None:
+    before = "class C:\n    def __init__(self):\n        self.name = 'a'\n    def set(self, name):\n        self.name = name\n"
+    objects = ", ".join(["C()"] * (CHANGING + 2))
+    body = (
+        f"objects = [{objects}]\ndef go():\n    {loop}\ngo()\nrospy.Publisher(objects[-1].name, String, queue_size=1)"
+    )
+    assert names(python(before + body)) == [expected]
 
 
 @pytest.mark.parametrize(("loop", "expected"), CHANGED_INSIDE_PYTHON)
