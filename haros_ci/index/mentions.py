@@ -111,8 +111,8 @@ def called_in(item: Part, found: set[str], mentioned: set[str], given: set[str],
             lambdas.add(node.function)
             if 0 <= node.function < len(source.program.functions):
                 waiting += below(source.program.functions[node.function].body)
-        elif type(node) is syntax.Address and type(node.value) is syntax.Name and "::" in node.value.name:
-            found.add(last(node.value.name))  # a pointer to a method is there to be called
+        elif type(node) is syntax.Address and type(node.value) is syntax.Name:
+            found.add(last(node.value.name))  # a pointer to a function is there to be called
         elif type(node) is syntax.Name or type(node) is syntax.Member:
             mentioned.add(last(node.name))
         waiting += below(node)

@@ -82,6 +82,7 @@ def test_what_an_algorithm_calls(code: str, expected: list[tuple[str, bool]]) ->
 
 
 N = (
+    'void make_one(int i) { ros::NodeHandle nh; nh.advertise<std_msgs::String>("d", 1); }\n'
     'std::vector<int> numbers();\nstruct N { ros::NodeHandle nh; int n_ = 0; std::string name_ = "a";\n'
     'void make(int i) { nh.advertise<std_msgs::String>("b" + std::to_string(n_++), 1); }\n'
     'void set(int i) { name_ = "c"; }\nbool less(int i, int j) { return i < j; }\n'
@@ -106,6 +107,7 @@ def test_methods_that_an_algorithm_calls(code: str, expected: list[str]) -> None
 ADDRESSES = (
     ("std::thread t(&N::make, this, 1); t.join();", ["/b?"]),
     ("outside::call(std::bind(&N::make, this, 1));", ["/b?"]),
+    ("outside::call(&make_one);", ["/d"]),
     ("outside::call(std::bind(&N::set, this, 1));", []),
     ("int i = 1; outside::call(&i);", []),
 )
