@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Whether the model of generated programs in Python is what they do when they run.
 
-    python tests/bench/run_oracle.py SEED COUNT [--show] [--ros2]
+    python -m tests.bench.run_oracle SEED COUNT [--show] [--ros2]
 
 Each program is generated (none is anybody's), its model is made, and it is run several times with something in place of rospy (with ``--ros2`` of rclpy) that writes down
 what is made; what a program draws by chance differs from run to run, and every callback is called. The exit code is 1 where the two disagree:

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Whether the model of generated programs in C++ is what they do when they run.
 
-    python tests/bench/run_oracle_cpp.py SEED COUNT [--show]
+    python -m tests.bench.run_oracle_cpp SEED COUNT [--show]
 
 As ``run_oracle.py`` for Python, which says what the kinds of disagreement are: programs of roscpp, compiled by g++ against a stand-in for
 it (``run_cpp.py``). What ``chance()`` returns differs from run to run, and no source says it.
