@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from haros_ci import syntax
-from haros_ci.follow import methods
+from haros_ci.follow import bases, methods
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.walk import Walk
 from haros_ci.index.types import pointee
@@ -37,7 +37,7 @@ def _namespaces(walk: Walk, frame: Frame, arguments: tuple[PassedArgument, ...])
     """The namespaces around the arguments' classes of the workspace and their bases."""
     for argument in arguments:
         owner = _class(walk, frame, argument)
-        for source, definition in _with_bases(walk, *owner) if owner is not None else ():
+        for source, definition in bases.classes(walk, *owner) if owner is not None else ():
             name = definition.name
             while name and walk.class_of(name, source) is not None:
                 name = name.rpartition("::")[0]
@@ -53,13 +53,3 @@ def _class(walk: Walk, frame: Frame, argument: PassedArgument) -> tuple[Source, 
         return value.definition
     kind = value.type if isinstance(value, Opaque) else argument.type
     return walk.class_of(pointee(kind).name, frame.source) if kind is not None and kind.name else None
-
-
-def _with_bases(
-    walk: Walk, source: Source, definition: syntax.Class, depth: int = 0
-) -> Iterator[tuple[Source, syntax.Class]]:
-    yield source, definition
-    for base in walk.bases(source, definition, methods.NOTHING) if depth < methods.BASES else ():
-        owner = walk.class_of(base.name, source)
-        if owner is not None and owner[1] is not definition:
-            yield from _with_bases(walk, *owner, depth + 1)

@@ -3,39 +3,84 @@
 
 from __future__ import annotations
 
-from haros_ci.follow import methods
-from haros_ci.follow.walk import Walk
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from typing import TYPE_CHECKING
+
+from haros_ci import syntax
 from haros_ci.index.index import Source
+from haros_ci.model.location import Location
 from haros_ci.syntax import Class
 
-#: So many classes of a lineage are looked at.
-MOST_BASES = 40
+if TYPE_CHECKING:
+    from haros_ci.follow.walk import Walk
+
+#: Of a class that is no template, or of which nothing is known.
+NOTHING: Mapping[str, syntax.Argument] = {}
+#: A class of the workspace, and what its template parameters stand for.
+Owner = tuple[Source, Class, Mapping[str, syntax.Argument]]
+#: Such a class, or the name of one that the workspace does not have.
+Entry = Owner | str
+
+#: So many classes above a class are looked at.
+MOST = 200
+CUT = "the class {} has more than {} classes above it: the others are not looked at"
 
 
-def derives(walk: Walk, one: tuple[Source, Class], base: Class, depth: int = 0) -> bool:
-    """Whether class *one* is *base* or derived from it."""
-    if one[1] is base or one[1].name == base.name:
-        return True
-    if depth >= methods.BASES:
-        return False
-    owners = [walk.class_of(type_.name, one[0]) for type_ in walk.bases(one[0], one[1], {})]
-    others = [owner for owner in owners if owner is not None and owner[1] is not one[1]]
-    return any(derives(walk, owner, base, depth + 1) for owner in others)
-
-
-def lineage(walk: Walk, source: Source, definition: Class) -> list[tuple[Source, Class]]:
-    """A class of C++ and its bases in the workspace."""
-    key = ("lineage", id(definition))
+def lineage(
+    walk: Walk, source: Source, definition: Class, templates: Mapping[str, syntax.Argument] = NOTHING
+) -> tuple[Entry, ...]:
+    """A class of C++ and all that it is derived from, depth first; what is reached by several ways stands there once."""
+    key = ("lineage", id(definition), walk.numbered(templates) if templates else 0)
     if key not in walk.found:
-        found, at = [(source, definition)], 0
-        while at < len(found) < MOST_BASES:
-            where, known = found[at]
-            at += 1
-            owners = (walk.class_of(base.name, where) for base in walk.bases(where, known, {}))
-            found += [item for item in owners if item is not None and all(item[1] is not other for _, other in found)]
-        walk.found[key] = found
-    classes: list[tuple[Source, Class]] = walk.found[key]
-    return classes
+        walk.found[key] = depth_first(walk, (source, definition, templates), lambda owner: _bases(walk, owner))
+    found: tuple[Entry, ...] = walk.found[key]
+    return found
+
+
+def depth_first(walk: Walk, first: Owner, above: Callable[[Owner], Iterable[Entry]]) -> tuple[Entry, ...]:
+    """A class and all that *above* gives for it and these, in the order in which they are reached, without repetition."""
+    found: dict[tuple[int, int] | str, Entry] = {}
+    waiting: list[Entry] = [first]
+    while waiting:
+        entry = waiting.pop()
+        key = entry if isinstance(entry, str) else (id(entry[1]), walk.numbered(entry[2]) if entry[2] else 0)
+        if key in found:
+            continue
+        if len(found) > MOST:
+            source, definition, _ = first
+            walk.gaps.setdefault(CUT.format(definition.name, MOST), Location(source.path, definition.line))
+            break
+        found[key] = entry
+        if not isinstance(entry, str):
+            waiting += reversed([*above(entry)])
+    return tuple(found.values())
+
+
+def of_workspace(entries: Iterable[Entry]) -> Iterator[Owner]:
+    """Those of *entries* that are classes of the workspace."""
+    return (entry for entry in entries if not isinstance(entry, str))
+
+
+def _bases(walk: Walk, owner: Owner) -> Iterator[Entry]:
+    """The bases of a class, in the order in which they are written."""
+    source, definition, templates = owner
+    for base in walk.bases(source, definition, templates):
+        found = walk.class_of(base.name, source)
+        if found is None:
+            yield base.name
+        else:
+            bound = dict(zip(found[1].templates, base.arguments, strict=False)) if found[1].templates else NOTHING
+            yield *found, bound
+
+
+def classes(walk: Walk, source: Source, definition: Class) -> list[tuple[Source, Class]]:
+    """A class of C++ and its bases in the workspace."""
+    return [(where, known) for where, known, _ in of_workspace(lineage(walk, source, definition))]
+
+
+def derives(walk: Walk, one: tuple[Source, Class], base: Class) -> bool:
+    """Whether class *one* is *base* or derived from it."""
+    return any(known is base or known.name == base.name for _, known in classes(walk, *one))
 
 
 def declaring(walk: Walk, source: Source, definition: Class, name: str) -> str:
@@ -43,5 +88,5 @@ def declaring(walk: Walk, source: Source, definition: Class, name: str) -> str:
 
     That of a template has one for each of its specialisations: it counts as the class's own.
     """
-    owners = [known for _, known in lineage(walk, source, definition) if any(f.name == name for f in known.fields)]
+    owners = [known for _, known in classes(walk, source, definition) if any(f.name == name for f in known.fields)]
     return owners[0].name if owners and not owners[0].templates else definition.name

@@ -8,6 +8,7 @@ from collections.abc import Mapping
 from haros_ci import syntax
 from haros_ci.follow import (
     activation,
+    base_initializers,
     braces,
     call_arguments,
     callbacks,
@@ -35,6 +36,9 @@ from haros_ci.model.location import Location
 from haros_ci.syntax import Class, Expression, Function, Type
 from haros_ci.values.abstract import FALSE, LIST_LIMIT, NONE, Cell, Known, Mapped, Object, Opaque, Sequence, Value
 
+#: So many parts of an object, of its class and of the bases, are constructed.
+MOST_PARTS = 64
+TOO_MANY = "an object of {} has more than {} base classes: the others are not constructed"
 #: Classes of nodes that have functions to make them.
 NODES = frozenset(("rclcpp::Node", "rclcpp_lifecycle::LifecycleNode"))
 
@@ -227,15 +231,23 @@ def initialise(  # noqa: C901 - the steps of [class.base.init], in its order
     templates: Mapping[str, syntax.Argument],
     arguments: tuple[call_arguments.PassedArgument, ...],
     location: Location,
-    depth: int = 0,
+    parts: list[Class] | None = None,
     chosen: tuple[Source, Function] | None = None,
 ) -> None:
-    """Construct the part of *this* that *owner* declares, by the *chosen* constructor or else by the one that fits."""
+    """Construct the part of *this* that *owner* declares, by the *chosen* constructor or else by the one that fits.
+
+    *parts* are the classes of which the object has been given its part, once for every way that leads to them.
+    """
     source, definition = owner
+    parts = [] if parts is None else parts
+    parts.append(definition)
+    if len(parts) > MOST_PARTS:
+        walk.gaps.setdefault(TOO_MANY.format(this.name, MOST_PARTS), location)
+        return
     if walk.index.trace is not None:
         walk.index.trace.paths.add(source.path)
     short = definition.name.rpartition("::")[2]
-    found = chosen or methods.class_method(walk, source, definition, short, arguments, methods.BASES)
+    found = chosen or methods.constructor(walk, source, definition, short, arguments)
     where, function = found if found is not None else (source, None)
     if function is not None:
         templates = template_arguments.defaulted(walk, where, definition.name, function, templates, arguments)
@@ -248,28 +260,27 @@ def initialise(  # noqa: C901 - the steps of [class.base.init], in its order
             inits[init.name.rpartition("::")[2]] = init
         if function.body is not None:
             body_at = Location(where.path, function.body_line, function.body_column)
-        if short in inits and not _is_of_base(
+        if short in inits and not base_initializers.is_of_base(
             walk, inner, function, definition.name
         ):  # delegates to another constructor
             args = call_arguments.arguments(walk, inner, inits[short].arguments)
-            if depth < methods.BASES:
-                initialise(walk, inner, this, owner, templates, args, location, depth + 1)
+            initialise(walk, inner, this, owner, templates, args, location, parts)
             if function.body is not None:
                 activation.follow_body(walk, inner, function)
             return
-    if depth > methods.BASES:
-        return
     bases = walk.bases(source, definition, templates)
     passed = list(arguments) if function is None and not bases else []  # an aggregate
     for base in bases:
-        base_init = inits.get(base.name.rpartition("::")[2]) or _by_another_name(walk, inner, definition, base.name)
+        base_init = inits.get(base.name.rpartition("::")[2]) or base_initializers.by_another_name(
+            walk, inner, definition, base.name
+        )
         args = call_arguments.arguments(walk, inner, base_init.arguments) if base_init else ()
         if function is None and base is bases[0]:  # constructors are inherited
             args = arguments
         base_owner = walk.class_of(base.name, source)
         if base_owner is not None and base_owner[1] is not definition:
             bound = dict(zip(base_owner[1].templates, base.arguments, strict=False))
-            initialise(walk, inner, this, base_owner, bound, args, body_at, depth + 1)
+            initialise(walk, inner, this, base_owner, bound, args, body_at, parts)
         elif base_owner is None:
             library_objects.construct_library(walk, inner, this, base, args, body_at)
     declared = Frame(source, definition.name, None, this, templates=templates)
@@ -301,27 +312,6 @@ def initialise(  # noqa: C901 - the steps of [class.base.init], in its order
             cell.value = Opaque(members.UNSET.format(member.name), Location(source.path, member.line), kind)
     if function is not None and function.body is not None:
         activation.follow_body(walk, inner, function)
-
-
-def _by_another_name(walk: Walk, inner: Frame, definition: Class, base: str) -> syntax.Initializer | None:
-    """The initialiser of a *base* under an alias or macro: ``Base(name)`` where ``using Base = rclcpp::Node``."""
-    members = {member.name for member in definition.fields}
-    for init in inner.function.inits if inner.function is not None else ():
-        written = init.type if init.type.name else syntax.Type(init.name)
-        if init.name not in members and walk.type_in(written, inner).name == base:
-            return init
-    return None
-
-
-def _is_of_base(walk: Walk, inner: Frame, function: Function, name: str) -> bool:
-    """Whether what a constructor initialises under the last part of its own class's *name* is a base of that name."""
-    last = name.rpartition("::")[2]
-    written = next(init for init in function.inits if init.name.rpartition("::")[2] == last)
-    qualified = written.name if "::" in written.name else written.type.name
-    head = qualified.rpartition("::")[0].partition("<")[0]
-    if head.rpartition("::")[2] == last:  # C::C, C<T>::C
-        qualified = head
-    return "::" in qualified and walk.type_in(syntax.Type(qualified), inner).name != name
 
 
 def _as_value(kind: Type, arguments: tuple[Expression, ...]) -> syntax.Init:

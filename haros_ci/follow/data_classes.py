@@ -6,7 +6,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from haros_ci import syntax
-from haros_ci.follow import activation, call_arguments, expressions, methods
+from haros_ci.follow import activation, call_arguments, expressions, linear, methods
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.walk import Walk
 from haros_ci.index.index import Source
@@ -28,7 +28,7 @@ def construct(walk: Walk, frame: Frame, this: Object, args: tuple[PassedArgument
     """Set the fields of *this* to *args*, or as their ``field(…)`` says, and call ``__post_init__``."""
     assert this.definition is not None
     source, definition = this.definition
-    fields = _fields(walk, source, definition, 0)
+    fields = _fields(walk, source, definition)
     if not fields:
         return
     is_other = any(base not in PLAIN for base in methods.library_bases(walk, source, definition))
@@ -65,17 +65,13 @@ def _first_of(
     return named or _default(walk, where, options)
 
 
-def _fields(walk: Walk, source: Source, definition: Class, depth: int) -> dict[str, tuple[Source, Field]]:
+def _fields(walk: Walk, source: Source, definition: Class) -> dict[str, tuple[Source, Field]]:
     """The annotated fields of a class, those of its bases first."""
     found: dict[str, tuple[Source, Field]] = {}
-    if depth < methods.BASES:
-        for base in reversed(walk.bases(source, definition, {})):
-            owner = methods.python_class(walk, base, source)
-            if owner is not None and owner[1] is not definition:
-                found.update(_fields(walk, *owner, depth + 1))
-    for field in definition.fields:
-        if not field.type.name.endswith("ClassVar"):
-            found[field.name] = (source, field)
+    for where, known in reversed([*linear.of_workspace(linear.order(walk, source, definition))]):
+        for field in known.fields:
+            if not field.type.name.endswith("ClassVar"):
+                found[field.name] = (where, field)
     return found
 
 

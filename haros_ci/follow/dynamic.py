@@ -60,7 +60,7 @@ def _not_virtual(walk: Walk, own: tuple[Source, Class], kind: str, name: str) ->
     meant, declared = (methods.class_method(walk, *class_, name) for class_ in (own, owner))
     if declared is None or meant is None or meant[1].owner == declared[1].owner:
         return None
-    every = bases.lineage(walk, *own)
+    every = bases.classes(walk, *own)
     is_virtual = any(_is_virtual(walk, f"{class_.name}::{name}") for _, class_ in every)
     return None if is_virtual or methods.library_bases(walk, *owner) else owner
 

@@ -3,13 +3,16 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable, Iterator
 
 from haros_ci import syntax
 from haros_ci.follow import expressions, members, python_names
+from haros_ci.follow.bases import CUT
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.walk import Walk
 from haros_ci.index.index import Source
+from haros_ci.model.location import Location
 from haros_ci.syntax import Class, Type
 from haros_ci.values.abstract import ClassValue, Library, Value
 from haros_ci.values.iterators import class_meant
@@ -45,25 +48,32 @@ def above(walk: Walk, owner: tuple[Source, Class], last: Class) -> tuple[Entry, 
 
 
 def _order(walk: Walk, source: Source, definition: Class) -> tuple[Entry, ...]:
+    own: Entry = (source, definition)
     bases = [entry for base in definition.bases if (entry := entry_of(walk, base, source)) not in ("", "object")]
-    lists = [[*(order(walk, *base) if not isinstance(base, str) else (base,))] for base in bases] + [bases]
-    found: list[Entry] = [(source, definition)]
-    while (lists := [entries for entries in lists if entries]) and len(found) < MOST:
-        good = next((one[0] for one in lists if not any(_has(other[1:], one[0]) for other in lists)), lists[0][0])
-        if not _has(found, good):
-            found.append(good)
-        lists = [[entry for entry in entries if not _is(entry, good)] for entries in lists]
-    return tuple(found)
+    lists = [[*(order(walk, *base) if not isinstance(base, str) else (base,))][::-1] for base in bases] + [bases[::-1]]
+    found = {_key(own): own}
+    behind = Counter(_key(entry) for entries in lists for entry in entries[:-1])  # which another one goes before
+    while lists := [entries for entries in lists if entries]:
+        if len(found) > MOST:
+            message = CUT.format(definition.name, MOST)
+            walk.gaps.setdefault(message, Location(source.path, definition.line))
+            break
+        good = next((entries[-1] for entries in lists if not behind[_key(entries[-1])]), lists[0][-1])
+        key = _key(good)
+        found.setdefault(key, good)
+        for entries in lists:
+            if behind[key]:  # no order is right
+                entries[:-1] = [entry for entry in entries[:-1] if _key(entry) != key]
+            if _key(entries[-1]) == key:
+                entries.pop()
+                if entries:
+                    behind[_key(entries[-1])] -= 1
+        behind[key] = 0
+    return tuple(found.values())
 
 
-def _is(one: Entry, other: Entry) -> bool:
-    if isinstance(one, str) or isinstance(other, str):
-        return one is other or (isinstance(one, str) and one == other)
-    return one[1] is other[1]
-
-
-def _has(entries: list[Entry], one: Entry) -> bool:
-    return any(_is(entry, one) for entry in entries)
+def _key(entry: Entry) -> int | str:
+    return entry if isinstance(entry, str) else id(entry[1])
 
 
 def entry_of(walk: Walk, base: Type, source: Source) -> Entry:

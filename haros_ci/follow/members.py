@@ -102,7 +102,7 @@ def _of_base(walk: Walk, value: Object, name: str, frame: Frame) -> Cell | None:
         return None
     source, definition = value.definition
     meant = walk.type_in(syntax.Type(head), frame).name
-    every = bases.lineage(walk, source, definition)
+    every = bases.classes(walk, source, definition)
     owners = [item for item in every if item[1].name in (meant, head)]
     owners = owners or [item for item in every if item[1].name.endswith(f"::{head}")]  # the injected class name
     found = methods.field_of(walk, *owners[0], last, {}) if len(owners) == 1 else None
@@ -138,31 +138,31 @@ def own_cell(walk: Walk, value: Value, name: str, frame: Frame) -> Cell | None:
     return member(walk, value, name, frame)
 
 
-def static_cell(walk: Walk, source: Source, definition: Class, name: str, depth: int = 0) -> Cell | None:
+def static_cell(walk: Walk, source: Source, definition: Class, name: str) -> Cell | None:
     """The cell of a class's own attribute, declared or assigned to, or that of its bases."""
-    separator = source.separator
-    set_later = walk.globals.get((source.path, f"{definition.name}{separator}{name}"))
+    own = _own_static(walk, source, definition, name)
+    if own is not None or (source.separator == "." and any(field.name == name for field in definition.fields)):
+        return own
+    every = (
+        linear.of_workspace(linear.order(walk, source, definition))
+        if source.separator == "."
+        else bases.classes(walk, source, definition)
+    )
+    cells = (_own_static(walk, where, known, name) for where, known in every)
+    return next((cell for cell in cells if cell is not None), None)
+
+
+def _own_static(walk: Walk, source: Source, definition: Class, name: str) -> Cell | None:
+    """The cell of an attribute that a class itself declares or is assigned."""
+    whole = f"{definition.name}{source.separator}{name}"
+    set_later = walk.globals.get((source.path, whole))
     if set_later is not None:
         return set_later
-    for declared in definition.fields:
-        if declared.name == name and (declared.is_static or separator == "."):
-            if not declared.is_static:
-                return None
-            frame = Frame(source, definition.name)
-            kind = walk.type_in(declared.type, frame)
-            return initialised.global_cell(walk, source, f"{definition.name}{separator}{name}", declared.init, kind)
-    if separator == "." and depth < methods.BASES:
-        every = linear.of_workspace(linear.order(walk, source, definition)[1:])
-        cells = (static_cell(walk, where, known, name, methods.BASES) for where, known in every)
-        return next((cell for cell in cells if cell is not None), None)
-    if depth < methods.BASES:
-        for base in walk.bases(source, definition, {}):
-            owner = walk.class_of(base.name, source)
-            if owner is not None and owner[1] is not definition:
-                found = static_cell(walk, owner[0], owner[1], name, depth + 1)
-                if found is not None:
-                    return found
-    return None
+    declared = next((field for field in definition.fields if field.name == name and field.is_static), None)
+    if declared is None:
+        return None
+    kind = walk.type_in(declared.type, Frame(source, definition.name))
+    return initialised.global_cell(walk, source, whole, declared.init, kind)
 
 
 def attribute(walk: Walk, value: Value, name: str, frame: Frame) -> Value:  # noqa: C901 - one branch for each kind of value
@@ -280,19 +280,13 @@ def given(walk: Walk, value: Object, name: str, frame: Frame) -> Value | None:
     return activation.invoke(walk, frame, method, (call_arguments.PassedArgument(Known(name)),))
 
 
-def class_inside(walk: Walk, source: Source, definition: Class, name: str, depth: int = 0) -> ClassValue | None:
+def class_inside(walk: Walk, source: Source, definition: Class, name: str) -> ClassValue | None:
     """The Python class *name* that is defined inside of a class or one of its bases."""
-    expected = f"{definition.name}.{name}"
-    found = [item for item in walk.index.classes.get(expected, ()) if item[0].path == source.path]
-    if found:
-        return ClassValue(*found[-1]) if len(found) == 1 else None
-    if depth < methods.BASES:
-        for base in walk.bases(source, definition, {}):
-            owner = methods.python_class(walk, base, source)
-            if owner is not None and owner[1] is not definition:
-                inside = class_inside(walk, owner[0], owner[1], name, depth + 1)
-                if inside is not None:
-                    return inside
+    for where, known in linear.of_workspace(linear.order(walk, source, definition)):
+        every = walk.index.classes.get(f"{known.name}.{name}", ())
+        found = [item for item in every if item[0].path == where.path]
+        if found:
+            return ClassValue(*found[-1]) if len(found) == 1 else None
     return None
 
 

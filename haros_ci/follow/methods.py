@@ -3,11 +3,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from haros_ci import syntax
-from haros_ci.follow import expressions, linear, many_overloads, members, overloads, python_names
+from haros_ci.follow import bases, expressions, linear, many_overloads, members, overloads, python_names
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.walk import Walk
 from haros_ci.index.index import Source
@@ -22,46 +22,33 @@ if TYPE_CHECKING:
     #: The arguments of a call, None where no call is meant.
     Given = Sequence[PassedArgument] | None
 
-#: Deeper hierarchies are cut off (and cycles with them).
-BASES = 12
-#: Of a class that is no template, or of which nothing is known.
-NOTHING: Mapping[str, syntax.Argument] = {}
+NOTHING = bases.NOTHING
 
 Member = tuple[Source, Field, Type]
 Found = tuple[Source, Function]
 
 
 def field_of(
-    walk: Walk, source: Source, definition: Class, name: str, templates: Mapping[str, syntax.Argument], depth: int = 0
+    walk: Walk, source: Source, definition: Class, name: str, templates: Mapping[str, syntax.Argument]
 ) -> Member | None:
     """The data member *name* of a class or its bases: where it is declared, and its resolved type."""
     key = ("field", id(definition), name, walk.numbered(templates) if templates else 0)
     if key not in walk.found:
-        walk.found[key] = _field_of(walk, source, definition, name, templates, depth)
+        walk.found[key] = _field_of(walk, source, definition, name, templates)
     found: Member | None = walk.found[key]
     return found
 
 
 def _field_of(
-    walk: Walk, source: Source, definition: Class, name: str, templates: Mapping[str, syntax.Argument], depth: int
+    walk: Walk, source: Source, definition: Class, name: str, templates: Mapping[str, syntax.Argument]
 ) -> Member | None:
-    for declared in definition.fields:
-        if declared.name == name:
-            return source, declared, walk.resolved(declared.type, definition.name, source, templates)
+    every: Iterable[bases.Owner] = bases.of_workspace(bases.lineage(walk, source, definition, templates))
     if source.separator == "." and len(definition.bases) > 1:
-        for where, known in linear.of_workspace(linear.order(walk, source, definition)[1:]):
-            for declared in known.fields:
-                if declared.name == name:
-                    return where, declared, walk.resolved(declared.type, known.name, where, {})
-        return None
-    if depth < BASES:
-        for base in walk.bases(source, definition, templates):
-            owner = walk.class_of(base.name, source)
-            if owner is not None and owner[1] is not definition:
-                bound = dict(zip(owner[1].templates, base.arguments, strict=False))
-                found = field_of(walk, owner[0], owner[1], name, bound, depth + 1)
-                if found is not None:
-                    return found
+        every = ((*owner, NOTHING) for owner in linear.of_workspace(linear.order(walk, source, definition)))
+    for where, known, bound in every:
+        for declared in known.fields:
+            if declared.name == name:
+                return where, declared, walk.resolved(declared.type, known.name, where, bound)
     return None
 
 
@@ -71,7 +58,6 @@ def class_method(
     definition: Class,
     name: str,
     arguments: Given = None,
-    depth: int = 0,
     templates: Mapping[str, syntax.Argument] = NOTHING,
 ) -> Found | None:
     """The method *name* of a class or its bases; the *arguments* of the call choose between overloads.
@@ -82,18 +68,17 @@ def class_method(
         every = linear.of_workspace(linear.order(walk, source, definition))
         found_in = (own_method(walk, where, known, name, arguments) for where, known in every)
         return next((found for found in found_in if found is not None), None)
-    candidates = _cpp_methods(walk, source, definition, name)
-    if candidates:
-        return overload(walk, candidates, arguments)
-    if depth < BASES:
-        for base in walk.bases(source, definition, templates):
-            owner = walk.class_of(base.name, source)
-            if owner is not None and owner[1] is not definition:
-                bound = dict(zip(owner[1].templates, base.arguments, strict=False)) if owner[1].templates else NOTHING
-                found = class_method(walk, owner[0], owner[1], name, arguments, depth + 1, bound)
-                if found is not None:
-                    return found
+    for where, known, _ in bases.of_workspace(bases.lineage(walk, source, definition, templates)):
+        found = constructor(walk, where, known, name, arguments)
+        if found is not None:
+            return found
     return None
+
+
+def constructor(walk: Walk, source: Source, definition: Class, name: str, arguments: Given = None) -> Found | None:
+    """The constructor *name*, or another method, that stands in a class of C++ itself."""
+    candidates = _cpp_methods(walk, source, definition, name)
+    return overload(walk, candidates, arguments) if candidates else None
 
 
 def own_method(walk: Walk, source: Source, definition: Class, name: str, arguments: Given = None) -> Found | None:
@@ -126,42 +111,30 @@ def as_node(walk: Walk, name: str, source: Source, definition: Class) -> str:
 
 
 def library_bases(
-    walk: Walk,
-    source: Source,
-    definition: Class,
-    depth: int = 0,
-    templates: Mapping[str, syntax.Argument] = NOTHING,
+    walk: Walk, source: Source, definition: Class, templates: Mapping[str, syntax.Argument] = NOTHING
 ) -> list[str]:
     """The names of all base classes that are not of the workspace; *templates* are what its template parameters stand for."""
-    key = ("bases", id(definition), walk.numbered(templates) if templates else 0)
-    if key in walk.found:
-        known: list[str] = walk.found[key]
-        return known
+    if source.separator == "::":
+        return [entry for entry in bases.lineage(walk, source, definition, templates) if isinstance(entry, str)]
     place = (id(definition), len(walk.modules))
     if walk.is_called_back and place in walk.outside_bases:
         return walk.outside_bases[place]
-    found: list[str] = []
-    if source.separator == "::" and depth == 0:
-        walk.found[key] = found
-    if depth < BASES:
-        for base in walk.bases(source, definition, templates):
-            if source.program.language == "python":
-                owner = python_class(walk, base, source)
-                name = base.name
-                if owner is None:
-                    value = class_meant(expressions.evaluate(walk, Frame(source, ""), syntax.Name(name.split(".")[0])))
-                    name = ".".join((getattr(value, "name", name.split(".")[0]), *name.split(".")[1:]))
-                    name = as_node(walk, name, source, definition)
-            else:
-                owner, name = walk.class_of(base.name, source), base.name
-            if owner is None:
-                found.append(name)
-            elif owner[1] is not definition:
-                bound = dict(zip(owner[1].templates, base.arguments, strict=False)) if owner[1].templates else NOTHING
-                found += library_bases(walk, owner[0], owner[1], depth + 1, bound)
-    if source.separator == "." and depth == 0 and walk.is_called_back and len(walk.modules) == place[1]:
+    every = bases.depth_first(walk, (source, definition, NOTHING), lambda owner: _python_bases(walk, *owner[:2]))
+    found = [entry for entry in every if isinstance(entry, str)]
+    if walk.is_called_back and len(walk.modules) == place[1]:
         walk.outside_bases[place] = found
     return found
+
+
+def _python_bases(walk: Walk, source: Source, definition: Class) -> Iterator[bases.Entry]:
+    for base in walk.bases(source, definition, NOTHING):
+        owner = python_class(walk, base, source)
+        if owner is not None:
+            yield *owner, NOTHING
+            continue
+        head, *rest = base.name.split(".")
+        value = class_meant(expressions.evaluate(walk, Frame(source, ""), syntax.Name(head)))
+        yield as_node(walk, ".".join((getattr(value, "name", head), *rest)), source, definition)
 
 
 def method_of(walk: Walk, this: Object, name: str, arguments: Given = None) -> Callable | None:
@@ -170,7 +143,7 @@ def method_of(walk: Walk, this: Object, name: str, arguments: Given = None) -> C
         return None
     source, definition = this.definition
     templates = this.templates if definition.templates else NOTHING
-    found = class_method(walk, source, definition, name, arguments, 0, templates)
+    found = class_method(walk, source, definition, name, arguments, templates)
     if found is None:
         return None
     return Callable(found[0], found[1], this, templates=this.templates)
@@ -182,20 +155,8 @@ def templates_of(walk: Walk, this: Object, owner: str) -> Mapping[str, syntax.Ar
         return None
     if not any(class_.templates for _, class_ in walk.index.classes.get(owner, ())):
         return None
-    waiting = [(*this.definition, this.templates)]
-    seen = 0
-    while waiting and seen < BASES:
-        source, definition, templates = waiting.pop(0)
-        seen += 1
-        for base in walk.bases(source, definition, templates):
-            found = walk.class_of(base.name, source)
-            if found is None:
-                continue
-            bound = dict(zip(found[1].templates, base.arguments, strict=False))
-            if found[1].name == owner:
-                return bound
-            waiting.append((*found, bound))
-    return None
+    every = bases.of_workspace(bases.lineage(walk, *this.definition, this.templates))
+    return next((bound for _, known, bound in every if known.name == owner), None)
 
 
 def overload(walk: Walk, candidates: list[Found], arguments: Given) -> Found:

@@ -31,7 +31,7 @@ def _overrider(walk: Walk, this: Object, function: Function) -> tuple[Source, Fu
     """The method of the class of *this* that overrides *function*, if it is the only one of its name and number of parameters."""
     assert this.definition is not None
     last = function.name.rpartition("::")[2]
-    every = [class_.name for _, class_ in bases.lineage(walk, *this.definition)]
+    every = [class_.name for _, class_ in bases.classes(walk, *this.definition)]
     if function.owner not in every or last.startswith("~"):
         return None
     if not any(one.is_virtual for name in every for _, one in walk.index.functions.get(f"{name}::{last}", ())):

@@ -3,12 +3,16 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from haros_ci.follow import inert, thrown
-from haros_ci.follow.call_arguments import PassedArgument
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.walk import DEPTH, Walk
 from haros_ci.model.location import Location
 from haros_ci.values.abstract import Callable
+
+if TYPE_CHECKING:
+    from haros_ci.follow.call_arguments import PassedArgument
 
 #: Calls of a function inside itself that are followed though the ones before make nothing new.
 BARREN = 8

@@ -25,8 +25,6 @@ PARTS = "rclcpp::node_interfaces::Node"
 STARTING = ("configure", "initialize", "initialise", "init")
 #: Directories of what is not for others to use.
 ASIDE = regex(r"^(tests?|testing|examples?)$|_(tests?|testing|examples?)$")
-#: Base classes of base classes that are looked at.
-DEEPEST = 8
 
 
 def libraries(types: Types, seen: Seen) -> Iterator[Library]:
@@ -259,14 +257,8 @@ class _View:
         """Whether no parameter takes one particular node of the workspace."""
         return self.particular.isdisjoint(kind.name for kind in nodes.values())
 
-    def _is_node(self, name: str, depth: int = 0) -> bool:
-        if name in NODES or name.startswith(PARTS):
-            return True
-        return depth < DEEPEST and any(
-            self._is_node(base, depth + 1)
-            for source, definition in self.index.classes.get(name, ())
-            for base in _bases(self.index, source, definition)
-        )
+    def _is_node(self, name: str) -> bool:
+        return any(one in NODES or one.startswith(PARTS) for one in (name, *_all_bases(self.index, (name,))))
 
 
 def _words(kind: Type) -> Iterator[str]:

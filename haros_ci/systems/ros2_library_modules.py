@@ -11,7 +11,7 @@ from haros_ci.index.relevance import Relevance
 from haros_ci.syntax import Class, Function, Type
 from haros_ci.systems.following import Types
 from haros_ci.systems.ros2_library import Library, Seen
-from haros_ci.systems.ros2_library_classes import ASIDE, DEEPEST
+from haros_ci.systems.ros2_library_classes import ASIDE
 
 #: What is a node in rclpy.
 NODES = frozenset(
@@ -61,18 +61,25 @@ def libraries(types: Types, seen: Seen) -> Iterator[Library]:
 
 
 def _constructor(
-    owners: Mapping[str, tuple[Source, Class]], kinds: Mapping[str, Iterable[str]], name: str, depth: int = 0
+    owners: Mapping[str, tuple[Source, Class]], kinds: Mapping[str, Iterable[str]], name: str
 ) -> tuple[Source, Function] | None:
-    """``__init__`` of a class, or of the nearest of its bases in modules like its own that has one."""
-    found = owners.get(name)
-    if found is None or depth > DEEPEST:
-        return None
-    source, definition = found
-    own = [f for f in source.program.functions if f.name == f"{definition.name}.__init__" and f.body is not None]
-    if own:
-        return source, own[-1]
-    above = (_constructor(owners, kinds, base, depth + 1) for base in kinds.get(name, ()))
-    return next((one for one in above if one is not None), None)
+    """``__init__`` of a class, or of the first of its bases in modules like its own that has one."""
+    for source, definition in (owners[one] for one in _lineage(name, kinds) if one in owners):
+        own = [f for f in source.program.functions if f.name == f"{definition.name}.__init__" and f.body is not None]
+        if own:
+            return source, own[-1]
+    return None
+
+
+def _lineage(name: str, kinds: Mapping[str, Iterable[str]]) -> Iterator[str]:
+    """The name of a class and those of all above it, depth first, without repetition."""
+    waiting, seen = [name], set[str]()
+    while waiting:
+        one = waiting.pop()
+        if one not in seen:
+            seen.add(one)
+            yield one
+            waiting += reversed([*kinds.get(one, ())])
 
 
 def _called(source: Source, definition: Class, relevance: Relevance, seen: Seen) -> tuple[Function, ...]:
@@ -124,5 +131,5 @@ def _takes_node(kinds: Mapping[str, Iterable[str]], source: Source, name: str, k
     return _is_node(_whole(source, kind.name), kinds)
 
 
-def _is_node(name: str, kinds: Mapping[str, Iterable[str]], depth: int = 0) -> bool:
-    return name in NODES or (depth < DEEPEST and any(_is_node(base, kinds, depth + 1) for base in kinds.get(name, ())))
+def _is_node(name: str, kinds: Mapping[str, Iterable[str]]) -> bool:
+    return not NODES.isdisjoint(_lineage(name, kinds))

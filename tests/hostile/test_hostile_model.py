@@ -24,7 +24,64 @@ int main(int argc, char** argv) {
 """,
 }
 EVIL = "a`$(touch x)\u202e</script>\n::error::b"
+PACKAGE = (
+    '<package format="3"><name>bad</name><version>1.0.0</version><export><build_type>{}</build_type></export></package>'
+)
+SETUP = "from setuptools import setup\nsetup(name='bad', packages=['bad'], entry_points={'console_scripts': ['n = bad.n:main']})\n"
+
+
+def diamonds(form: str, first: str, last: str, heads: str = "", ways: int = 8) -> str:
+    """A program with forty classes, of which those that follow have the eight before as their bases: 8**39 ways lead up."""
+    classes = [
+        form.format(n, ", ".join(f"{heads}C{m}" for m in reversed(range(max(0, n - ways), n)))) for n in range(1, 40)
+    ]
+    return "\n".join((first, *classes, last))
+
+
+def of_python(base: str, last: str, imports: str = "") -> dict[str, str]:
+    first = f"import rclpy\nfrom rclpy.node import Node\n{imports}\nclass C0({base}):\n    a: str = 'x'\n"
+    return {
+        "bad/package.xml": PACKAGE.format("ament_python"),
+        "bad/setup.py": SETUP,
+        "bad/resource/bad": "",
+        "bad/bad/__init__.py": "",
+        "bad/bad/n.py": diamonds("class C{0}({1}):\n    pass", first, f"def main():\n    rclpy.init()\n{last}"),
+    }
+
+
+def of_cpp(first: str, last: str, heads: str = "public ") -> dict[str, str]:
+    first = "#include <ros/ros.h>\n" + first
+    return {
+        "bad/package.xml": '<package format="2"><name>bad</name><version>1.0.0</version></package>',
+        "bad/CMakeLists.txt": "project(bad)\nadd_executable(n src/n.cpp)\n",
+        "bad/src/n.cpp": diamonds("class C{0} : {1} {{ public: C{0}() {{}} }};", first, last, heads),
+    }
+
+
+OF_NODE = 'class C0 { public: C0() { p_ = h_.advertise<std_msgs::String>("x", 1); } virtual void f(); ros::NodeHandle h_; ros::Publisher p_; };'
+RUN = 'int main(int c, char** v) { ros::init(c, v, "n"); C39 n; n.f(); n.absent(); C39::g(); f(n); n.m = C39::k; C0 o = n; ros::spin(); }'
 CASES: dict[str, dict[str, str]] = {
+    "diamonds of nodes": of_python("Node", "    n = C39('n')\n    n.absent()\n    n.a\n    rclpy.spin(n)\n"),
+    "diamonds of a library": of_python("outside.Thing", "    C39(Node('n')).a\n    C39.b\n", "import outside"),
+    "diamonds of plain classes": of_python("object", "    x = C39()\n    x.a = x.b\n    C39.b\n    Node('n')\n"),
+    "diamonds of enumerations": of_python("Enum", "    C39.A.value\n    raise C39()\n", "from enum import Enum"),
+    "diamonds that nobody makes": of_python("Node", "    pass\n"),
+    "diamonds in a launch file": {
+        **of_python("Node", "    pass\n"),
+        "bad/launch/a.launch.py": diamonds(
+            "class C{0}({1}):\n    pass",
+            "from launch import LaunchDescription\nclass C0:\n    pass",
+            "def generate_launch_description():\n    x = C39()\n    hasattr(x, 'a')\n    isinstance(x, str)\n"
+            "    isinstance(x, LaunchDescription)\n    getattr(C39, 'b', 1)\n    return LaunchDescription([])\n",
+        ),
+    },
+    "diamonds of c++": of_cpp(OF_NODE, RUN),
+    "virtual diamonds of c++": of_cpp(OF_NODE, RUN, "virtual public "),
+    "diamonds of c++ without a node": of_cpp("class C0 { public: static int k; int m; };", RUN),
+    "diamonds of nodelets": of_cpp(
+        "class C0 : public nodelet::Nodelet { public: void onInit() {} };",
+        "PLUGINLIB_EXPORT_CLASS(C39, nodelet::Nodelet)",
+    ),
     "include loop": {
         "bad/package.xml": '<package format="2"><name>bad</name><version>1.0.0</version></package>',
         "bad/launch/a.launch": '<launch><include file="$(find bad)/launch/b.launch"/></launch>',

@@ -37,7 +37,7 @@ def owners(walk: Walk, value: Object) -> list[str]:
         return known
     templates = value.templates if is_template else methods.NOTHING
     found = (
-        [value.name] if value.definition is None else list(methods.library_bases(walk, *value.definition, 0, templates))
+        [value.name] if value.definition is None else list(methods.library_bases(walk, *value.definition, templates))
     )
     for name in found:
         for row in walk.rows.get(name, ()):

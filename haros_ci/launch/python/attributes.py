@@ -11,6 +11,7 @@ from haros_ci.launch.python.contexts import configurations_attribute, context_at
 from haros_ci.launch.python.definitions import method_of
 from haros_ci.launch.python.forks import fork
 from haros_ci.launch.python.imports import module
+from haros_ci.launch.python.lineage import find
 from haros_ci.launch.python.made_attributes import made_attribute
 from haros_ci.launch.python.path_methods import path_attribute, read_opened
 from haros_ci.launch.python.run import ScriptEvaluation
@@ -116,7 +117,7 @@ def member(run: ScriptEvaluation, value: ScriptInstance | ScriptClass, name: str
     """An attribute of an object or a class of the file."""
     if name in value.variables and isinstance(value, ScriptInstance):
         kept = value.variables[name]
-        inherited = value.type.find(name)
+        inherited = find(value.type, name)
         if inherited is None or not isinstance(kept, Choice):
             return present(kept)
         options = tuple((tests, inherited if isinstance(item, Absent) else item) for tests, item in kept.options)
@@ -126,7 +127,7 @@ def member(run: ScriptEvaluation, value: ScriptInstance | ScriptClass, name: str
         return made
     if name == "__name__":
         return made.name
-    found = made.find(name)
+    found = find(made, name)
     if isinstance(found, ScriptFunction):
         return method_of(run, found, value, made, place)
     if found is not None or any(name in item.variables for item in (made, *made.bases)):

@@ -9,6 +9,7 @@ from typing import Any
 from haros_ci.launch.python.assignments import set_name
 from haros_ci.launch.python.forks import settle
 from haros_ci.launch.python.heap import CALLS
+from haros_ci.launch.python.lineage import find
 from haros_ci.launch.python.run import ScriptEvaluation, ScriptFrame
 from haros_ci.launch.python.values import (
     Bound,
@@ -195,7 +196,7 @@ def instantiate(run: ScriptEvaluation, made: ScriptClass, call: LibraryCall) -> 
     """A new object of a class of the file; what a library's class adds is not known."""
     instance = ScriptInstance(made)
     run.heap.born(instance.variables)
-    start = made.find("__init__")
+    start = find(made, "__init__")
     if isinstance(start, ScriptFunction):
         done = call_function(
             run,

@@ -12,6 +12,7 @@ from haros_ci.launch.python.gz_actions import SUMMARIES as GZ
 from haros_ci.launch.python.imports import SUMMARISED
 from haros_ci.launch.python.launch_actions import SUMMARIES as LAUNCH
 from haros_ci.launch.python.launch_events import SUMMARIES as EVENTS
+from haros_ci.launch.python.lineage import find
 from haros_ci.launch.python.module_files import SUMMARIES as MODULES
 from haros_ci.launch.python.moveit import SUMMARIES as MOVEIT
 from haros_ci.launch.python.moveit_launches import SUMMARIES as MOVEIT_LAUNCHES
@@ -82,7 +83,7 @@ def call_value(run: ScriptEvaluation, function: Value, call: LibraryCall) -> Val
             return function.call(run, call)
         except (TypeError, ValueError, KeyError, IndexError, AttributeError, ArithmeticError) as error:
             return run.unknown(f"`{function.name}` raises {type(error).__name__}", call.location)
-    if isinstance(function, ScriptInstance) and isinstance(method := function.type.find("__call__"), ScriptFunction):
+    if isinstance(function, ScriptInstance) and isinstance(method := find(function.type, "__call__"), ScriptFunction):
         return bound(run, method, function, call)
     if isinstance(function, Unknown):
         forget_reachable(run, call, function.reason)

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from haros_ci.launch.python.contexts import executed, holds
+from haros_ci.launch.python.lineage import find
 from haros_ci.launch.python.moveit import made_by_moveit, moveit_attribute
 from haros_ci.launch.python.run import ScriptEvaluation
 from haros_ci.launch.python.values import Bound, LaunchObject, LibraryCall, Native, ScriptFunction, Unknown, Value
@@ -44,7 +45,7 @@ def made_attribute(run: ScriptEvaluation, made: LaunchObject, name: str, place: 
 def of_bases(run: ScriptEvaluation, made: LaunchObject, name: str, place: Location) -> Value:
     """A method of the class that is a base; a library's ``__init__`` leaves nothing that is followed."""
     for base in made.fields["bases"]:
-        found = base.find(name)
+        found = find(base, name)
         if isinstance(found, ScriptFunction):
             return Bound(found, made.fields["owner"])
         if found is not None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from haros_ci.launch.python.lineage import lineage
 from haros_ci.launch.python.run import ScriptEvaluation
 from haros_ci.launch.python.values import (
     LaunchObject,
@@ -52,13 +53,7 @@ def fits(value: Value, expected: Value) -> bool | None:
     if isinstance(expected, ScriptClass):
         if not isinstance(value, ScriptInstance):
             return None if isinstance(value, Library) else False
-        todo = [value.type]
-        while todo:
-            one = todo.pop()
-            if one is expected:
-                return True
-            todo.extend(one.bases)
-        return False
+        return expected in lineage(value.type)
     if not isinstance(expected, Library) or isinstance(value, (Library, ScriptInstance)):
         return None
     last = expected.dotted.rpartition(".")[2]

@@ -183,11 +183,6 @@ class ScriptClass:
     library: str = ""
     fields: tuple[str, ...] = ()  # of a dataclass
 
-    def find(self, name: str) -> Value | None:
-        if name in self.variables:
-            return self.variables[name]
-        return next((found for base in self.bases if (found := base.find(name)) is not None), None)
-
 
 @dataclass(frozen=True, slots=True, eq=False)
 class ScriptInstance:

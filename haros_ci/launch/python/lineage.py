@@ -1,0 +1,23 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What classes of interpreted files have from their bases."""
+
+from __future__ import annotations
+
+from haros_ci.launch.python.values import ScriptClass, Value
+
+
+def lineage(first: ScriptClass) -> tuple[ScriptClass, ...]:
+    """A class and all above it, depth first; what is reached by several ways stands there once."""
+    found: dict[ScriptClass, None] = {}
+    waiting = [first]
+    while waiting:
+        one = waiting.pop()
+        if one not in found:
+            found[one] = None
+            waiting += reversed(one.bases)
+    return tuple(found)
+
+
+def find(owner: ScriptClass, name: str) -> Value | None:
+    """The variable or method *name* of a class or of what is above it; None if there is none."""
+    return next((one.variables[name] for one in lineage(owner) if name in one.variables), None)
