@@ -136,6 +136,30 @@ def test_a_library_goes_before_a_module_beside() -> None:
     assert names(script("import b\nb.one()", b="def one():\n    PUB('one')\n")) == []  # a script is in no package
 
 
+@pytest.mark.parametrize("form", ["from {0}.msg import String as S", "import {0}.msg\nS = {0}.msg.String"])
+@pytest.mark.parametrize("package", ["std_msgs", "example_interfaces", "some_msgs"])
+def test_a_file_of_the_name_of_a_message_package_changes_no_type(package: str, form: str) -> None:
+    code = form.format(package) + "\ndef go():\n    rospy.Publisher('a', S, queue_size=1)\n"
+    found = script("from lib.a import go\ngo()", a=code, **{package: ""})
+    assert [end.type for end in found.endpoints if not end.implicit] == [f"{package}/String"]
+    assert gaps(found) == []
+
+
+def test_python_3_finds_nothing_beside() -> None:
+    head = "import rclpy\nfrom rclpy.node import Node\nfrom std_msgs.msg import String\n"
+    files = {
+        "p/package.xml": "<package format='3'><name>p</name><export><build_type>ament_python</build_type></export></package>",
+        "p/setup.py": "from setuptools import setup\nsetup(name='p', packages=['p'], entry_points={'console_scripts': ['n = p.n:main']})\n",
+        "p/p/__init__.py": "",
+        "p/p/other.py": "def name():\n    return 'wrong'\n",
+        "p/p/n.py": head + "import other\ndef main():\n    rclpy.init()\n    node = Node('n')\n"
+        "    node.create_publisher(String, other.name(), 1)\n    rclpy.spin(node)\n",
+    }
+    (configuration,) = follow(files, 2).configurations
+    (found,) = configuration.nodes
+    assert [end.name for end in found.endpoints if not end.implicit] == ["/?"]
+
+
 EARLY = (
     "class T(object):\n    def __init__(self):\n        if x():\n            return\n        self.%s\n"
     "    def go(self):\n        %s\nT().go()"

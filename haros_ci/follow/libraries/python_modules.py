@@ -20,6 +20,9 @@ from haros_ci.values.abstract import Known, Library, Module, Value
 #: Modules of a ROS package that are generated: a script of the package's own name is not meant by what is imported of them.
 _GENERATED = frozenset(("msg", "srv", "action", "cfg"))
 
+#: How the names of packages of messages end.
+_OF_MESSAGES = ("_msgs", "_srvs", "_interfaces")
+
 
 def bound(walk: Walk, module: str) -> Value | None:
     """What a package's ``__init__.py`` binds to the name of its submodule *module*; None if the name is the submodule.
@@ -117,13 +120,21 @@ def _placed(walk: Walk, source: Source, target: str) -> tuple[Source, tuple[str,
 def beside(walk: Walk, source: Source, target: str) -> str | None:
     """The module or content of a module beside *source* in its package that ``import`` without dots means in Python 2.
 
-    Python 3 finds nothing there (PEP 328); libraries that are known go first.
+    Python 3, which all programs of ROS 2 run on, finds nothing there (PEP 328). Messages and libraries that are known go first.
     """
+    if walk.context.process is not None or _is_of_messages(target):
+        return None
     package = source.module if source.path.endswith("__init__.py") else source.module.rpartition(".")[0]
     head = target.partition(".")[0]
     if not package or head == package.partition(".")[0] or f"{package}.{head}" not in walk.index.modules:
         return None
     return None if head in _libraries(walk) else f"{package}.{target}"
+
+
+def _is_of_messages(target: str) -> bool:
+    """Whether a dotted name leads to the generated code of a package: a file of the package's name beside a program changes no type."""
+    head, *rest = target.split(".")
+    return head in COMMON or head.endswith(_OF_MESSAGES) or (bool(rest) and rest[0] in _GENERATED)
 
 
 def is_outside(walk: Walk, source: Source, module: str) -> bool:
