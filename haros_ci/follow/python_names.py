@@ -102,6 +102,9 @@ def imported(walk: Walk, frame: Frame, target: str) -> Value:
         modules = walk.index.modules.get(head)
         if modules:
             source = min(modules, key=lambda s: (s.package != frame.source.package, s.path))
+            top = head.partition(".")[0]
+            if python_modules.is_of_messages(top) and all(source.package != top for source in modules):
+                break
             if rest and is_generated(walk, source, rest[-1]):
                 return Library(target)
             bound = python_modules.bound(walk, head) if not rest else None

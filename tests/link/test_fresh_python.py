@@ -145,6 +145,21 @@ def test_a_file_of_the_name_of_a_message_package_changes_no_type(package: str, f
     assert gaps(found) == []
 
 
+@pytest.mark.parametrize("place", ["std_msgs.py", "std_msgs/__init__.py", "std_msgs/msg/__init__.py", "p/std_msgs.py"])
+def test_a_directory_of_the_name_of_a_message_package_changes_no_type(place: str) -> None:
+    text = "import rclpy\nfrom rclpy.node import Node\nfrom std_msgs.msg import String\ndef main():\n    rclpy.init()\n"
+    files = {
+        "p/package.xml": "<package format='3'><name>p</name><export><build_type>ament_python</build_type></export></package>",
+        "p/setup.py": "from setuptools import setup\nsetup(name='p', packages=['p'], entry_points={'console_scripts': ['n = p.n:main']})\n",
+        "p/p/__init__.py": "",
+        f"p/{place}": "",
+        "p/p/n.py": text + "    node = Node('n')\n    node.create_publisher(String, 'a', 1)\n    rclpy.spin(node)\n",
+    }
+    (configuration,) = follow(files, 2).configurations
+    (found,) = configuration.nodes
+    assert [(end.name, end.type) for end in found.endpoints if not end.implicit] == [("/a", "std_msgs/msg/String")]
+
+
 def test_python_3_finds_nothing_beside() -> None:
     head = "import rclpy\nfrom rclpy.node import Node\nfrom std_msgs.msg import String\n"
     files = {

@@ -122,7 +122,8 @@ def beside(walk: Walk, source: Source, target: str) -> str | None:
 
     Python 3, which all programs of ROS 2 run on, finds nothing there (PEP 328). Messages and libraries that are known go first.
     """
-    if walk.context.process is not None or _is_of_messages(target):
+    names = target.split(".")
+    if walk.context.process is not None or names[1:2] and names[1] in _GENERATED or is_of_messages(names[0]):
         return None
     package = source.module if source.path.endswith("__init__.py") else source.module.rpartition(".")[0]
     head = target.partition(".")[0]
@@ -131,10 +132,9 @@ def beside(walk: Walk, source: Source, target: str) -> str | None:
     return None if head in _libraries(walk) else f"{package}.{target}"
 
 
-def _is_of_messages(target: str) -> bool:
-    """Whether a dotted name leads to the generated code of a package: a file of the package's name beside a program changes no type."""
-    head, *rest = target.split(".")
-    return head in COMMON or head.endswith(_OF_MESSAGES) or (bool(rest) and rest[0] in _GENERATED)
+def is_of_messages(package: str) -> bool:
+    """Whether a Python package is the generated code of messages by its name: no file of that name in another ROS package is meant."""
+    return package in COMMON or package.endswith(_OF_MESSAGES)
 
 
 def is_outside(walk: Walk, source: Source, module: str) -> bool:
