@@ -3,12 +3,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sized
+from itertools import islice
 from typing import TYPE_CHECKING
 
 from haros_ci import syntax
 from haros_ci.index.index import Source
 from haros_ci.model.location import Location
+from haros_ci.reached import reached
 from haros_ci.syntax import Class
 
 if TYPE_CHECKING:
@@ -23,7 +25,7 @@ Entry = Owner | str
 
 #: So many classes above a class are looked at.
 MOST = 200
-CUT = "the class {} has more than {} classes above it: the others are not looked at"
+CUT = "a class has more than {} classes above it: the others are not looked at"
 
 
 def lineage(
@@ -32,28 +34,28 @@ def lineage(
     """A class of C++ and all that it is derived from, depth first; what is reached by several ways stands there once."""
     key = ("lineage", id(definition), walk.numbered(templates) if templates else 0)
     if key not in walk.found:
-        walk.found[key] = depth_first(walk, (source, definition, templates), lambda owner: _bases(walk, owner))
+        walk.found[key] = depth_first(walk, (source, definition, templates), _bases)
     found: tuple[Entry, ...] = walk.found[key]
+    note_cut(walk, found, MOST, source, definition)
     return found
 
 
-def depth_first(walk: Walk, first: Owner, above: Callable[[Owner], Iterable[Entry]]) -> tuple[Entry, ...]:
-    """A class and all that *above* gives for it and these, in the order in which they are reached, without repetition."""
-    found: dict[tuple[int, int] | str, Entry] = {}
-    waiting: list[Entry] = [first]
-    while waiting:
-        entry = waiting.pop()
-        key = entry if isinstance(entry, str) else (id(entry[1]), walk.numbered(entry[2]) if entry[2] else 0)
-        if key in found:
-            continue
-        if len(found) > MOST:
-            source, definition, _ = first
-            walk.gaps.setdefault(CUT.format(definition.name, MOST), Location(source.path, definition.line))
-            break
-        found[key] = entry
-        if not isinstance(entry, str):
-            waiting += reversed([*above(entry)])
-    return tuple(found.values())
+def depth_first(walk: Walk, first: Entry, above: Callable[[Walk, Owner], Iterable[Entry]]) -> tuple[Entry, ...]:
+    """A class and all that *above* gives for it and these; one more than MOST above it where there are more."""
+
+    def onward(entry: Entry) -> Iterable[Entry]:
+        return () if isinstance(entry, str) else above(walk, entry)
+
+    def key(entry: Entry) -> str | tuple[int, int]:
+        return entry if isinstance(entry, str) else (id(entry[1]), walk.numbered(entry[2]) if entry[2] else 0)
+
+    return tuple(islice(reached(first, onward, key), MOST + 2))
+
+
+def note_cut(walk: Walk, entries: Sized, most: int, source: Source, definition: Class) -> None:
+    """Say of the node that classes are left out where *entries*, a class and what is above it, are more than *most* above it."""
+    if len(entries) > most + 1:
+        walk.gaps.setdefault(CUT.format(most), Location(source.path, definition.line))
 
 
 def of_workspace(entries: Iterable[Entry]) -> Iterator[Owner]:

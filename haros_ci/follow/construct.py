@@ -247,7 +247,7 @@ def initialise(  # noqa: C901 - the steps of [class.base.init], in its order
     if walk.index.trace is not None:
         walk.index.trace.paths.add(source.path)
     short = definition.name.rpartition("::")[2]
-    found = chosen or methods.constructor(walk, source, definition, short, arguments)
+    found = chosen or methods.own_method(walk, source, definition, short, arguments)
     where, function = found if found is not None else (source, None)
     if function is not None:
         templates = template_arguments.defaulted(walk, where, definition.name, function, templates, arguments)

@@ -8,11 +8,10 @@ from collections.abc import Iterable, Iterator
 
 from haros_ci import syntax
 from haros_ci.follow import expressions, members, python_names
-from haros_ci.follow.bases import CUT
+from haros_ci.follow.bases import note_cut
 from haros_ci.follow.frames import Frame
 from haros_ci.follow.walk import Walk
 from haros_ci.index.index import Source
-from haros_ci.model.location import Location
 from haros_ci.syntax import Class, Type
 from haros_ci.values.abstract import ClassValue, Library, Value
 from haros_ci.values.iterators import class_meant
@@ -30,6 +29,7 @@ def order(walk: Walk, source: Source, definition: Class) -> tuple[Entry, ...]:
         walk.found[key] = ((source, definition),)  # while a base leads back to it
         walk.found[key] = _order(walk, source, definition)
     found: tuple[Entry, ...] = walk.found[key]
+    note_cut(walk, found, MOST, source, definition)
     return found
 
 
@@ -53,11 +53,7 @@ def _order(walk: Walk, source: Source, definition: Class) -> tuple[Entry, ...]:
     lists = [[*(order(walk, *base) if not isinstance(base, str) else (base,))][::-1] for base in bases] + [bases[::-1]]
     found = {_key(own): own}
     behind = Counter(_key(entry) for entries in lists for entry in entries[:-1])  # which another one goes before
-    while lists := [entries for entries in lists if entries]:
-        if len(found) > MOST:
-            message = CUT.format(definition.name, MOST)
-            walk.gaps.setdefault(message, Location(source.path, definition.line))
-            break
+    while (lists := [entries for entries in lists if entries]) and len(found) < MOST + 2:
         good = next((entries[-1] for entries in lists if not behind[_key(entries[-1])]), lists[0][-1])
         key = _key(good)
         found.setdefault(key, good)

@@ -42,9 +42,11 @@ def field_of(
 def _field_of(
     walk: Walk, source: Source, definition: Class, name: str, templates: Mapping[str, syntax.Argument]
 ) -> Member | None:
-    every: Iterable[bases.Owner] = bases.of_workspace(bases.lineage(walk, source, definition, templates))
+    every: Iterable[bases.Owner]
     if source.separator == "." and len(definition.bases) > 1:
         every = ((*owner, NOTHING) for owner in linear.of_workspace(linear.order(walk, source, definition)))
+    else:
+        every = bases.of_workspace(bases.lineage(walk, source, definition, templates))
     for where, known, bound in every:
         for declared in known.fields:
             if declared.name == name:
@@ -66,23 +68,17 @@ def class_method(
     """
     if source.separator == ".":
         every = linear.of_workspace(linear.order(walk, source, definition))
-        found_in = (own_method(walk, where, known, name, arguments) for where, known in every)
-        return next((found for found in found_in if found is not None), None)
-    for where, known, _ in bases.of_workspace(bases.lineage(walk, source, definition, templates)):
-        found = constructor(walk, where, known, name, arguments)
-        if found is not None:
-            return found
-    return None
-
-
-def constructor(walk: Walk, source: Source, definition: Class, name: str, arguments: Given = None) -> Found | None:
-    """The constructor *name*, or another method, that stands in a class of C++ itself."""
-    candidates = _cpp_methods(walk, source, definition, name)
-    return overload(walk, candidates, arguments) if candidates else None
+    else:
+        every = (owner[:2] for owner in bases.of_workspace(bases.lineage(walk, source, definition, templates)))
+    found_in = (own_method(walk, where, known, name, arguments) for where, known in every)
+    return next((found for found in found_in if found is not None), None)
 
 
 def own_method(walk: Walk, source: Source, definition: Class, name: str, arguments: Given = None) -> Found | None:
-    """The method *name* that stands in a class of Python itself."""
+    """The method or constructor *name* that stands in a class itself; the *arguments* of the call choose between overloads."""
+    if source.separator == "::":
+        overloaded = _cpp_methods(walk, source, definition, name)
+        return overload(walk, overloaded, arguments) if overloaded else None
     candidates = walk.index.near(walk.index.functions, f"{definition.name}.{name}", source, walk.files)
     candidates = overloads.python_methods([item for item in candidates if item[0].path == source.path])
     if not candidates:
@@ -119,18 +115,20 @@ def library_bases(
     place = (id(definition), len(walk.modules))
     if walk.is_called_back and place in walk.outside_bases:
         return walk.outside_bases[place]
-    every = bases.depth_first(walk, (source, definition, NOTHING), lambda owner: _python_bases(walk, *owner[:2]))
+    every = bases.depth_first(walk, (source, definition, NOTHING), _python_bases)
+    bases.note_cut(walk, every, bases.MOST, source, definition)
     found = [entry for entry in every if isinstance(entry, str)]
     if walk.is_called_back and len(walk.modules) == place[1]:
         walk.outside_bases[place] = found
     return found
 
 
-def _python_bases(walk: Walk, source: Source, definition: Class) -> Iterator[bases.Entry]:
+def _python_bases(walk: Walk, owner: bases.Owner) -> Iterator[bases.Entry]:
+    source, definition, _ = owner
     for base in walk.bases(source, definition, NOTHING):
-        owner = python_class(walk, base, source)
-        if owner is not None:
-            yield *owner, NOTHING
+        found = python_class(walk, base, source)
+        if found is not None:
+            yield *found, NOTHING
             continue
         head, *rest = base.name.split(".")
         value = class_meant(expressions.evaluate(walk, Frame(source, ""), syntax.Name(head)))

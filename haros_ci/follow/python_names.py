@@ -97,14 +97,13 @@ def imported(walk: Walk, frame: Frame, target: str) -> Value:
     if placed is not None:
         return _inside(walk, frame, *placed)
     target = python_modules.absolute(frame.source, target)
+    if python_modules.is_generated_elsewhere(walk, target):
+        return python_modules.of_library(target)
     head, rest = target, list[str]()
     while head:
         modules = walk.index.modules.get(head)
         if modules:
             source = min(modules, key=lambda s: (s.package != frame.source.package, s.path))
-            top = head.partition(".")[0]
-            if python_modules.is_of_messages(top) and all(source.package != top for source in modules):
-                break
             if rest and is_generated(walk, source, rest[-1]):
                 return Library(target)
             bound = python_modules.bound(walk, head) if not rest else None

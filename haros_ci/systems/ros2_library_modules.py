@@ -8,6 +8,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from haros_ci import syntax
 from haros_ci.index.index import Source
 from haros_ci.index.relevance import Relevance
+from haros_ci.reached import reached
 from haros_ci.syntax import Class, Function, Type
 from haros_ci.systems.following import Types
 from haros_ci.systems.ros2_library import Library, Seen
@@ -73,13 +74,7 @@ def _constructor(
 
 def _lineage(name: str, kinds: Mapping[str, Iterable[str]]) -> Iterator[str]:
     """The name of a class and those of all above it, depth first, without repetition."""
-    waiting, seen = [name], set[str]()
-    while waiting:
-        one = waiting.pop()
-        if one not in seen:
-            seen.add(one)
-            yield one
-            waiting += reversed([*kinds.get(one, ())])
+    return reached(name, lambda one: kinds.get(one, ()))
 
 
 def _called(source: Source, definition: Class, relevance: Relevance, seen: Seen) -> tuple[Function, ...]:

@@ -136,9 +136,19 @@ def test_a_library_goes_before_a_module_beside() -> None:
     assert names(script("import b\nb.one()", b="def one():\n    PUB('one')\n")) == []  # a script is in no package
 
 
-@pytest.mark.parametrize("form", ["from {0}.msg import String as S", "import {0}.msg\nS = {0}.msg.String"])
-@pytest.mark.parametrize("package", ["std_msgs", "example_interfaces", "some_msgs"])
-def test_a_file_of_the_name_of_a_message_package_changes_no_type(package: str, form: str) -> None:
+#: What is imported of packages of messages.
+OF_MESSAGES = (
+    ("from {0}.msg import String as S", "std_msgs"),
+    ("from {0}.msg import String as S", "some_msgs"),
+    ("from {0}.msg import String as S", "example_interfaces"),
+    ("from {0} import msg\nS = msg.String", "some_msgs"),
+    ("import {0}.msg\nS = {0}.msg.String", "std_msgs"),
+    ("import {0}.msg\nS = {0}.msg.String", "some_msgs"),
+)
+
+
+@pytest.mark.parametrize(("form", "package"), OF_MESSAGES)
+def test_a_file_of_the_name_of_a_message_package_changes_no_type(form: str, package: str) -> None:
     code = form.format(package) + "\ndef go():\n    rospy.Publisher('a', S, queue_size=1)\n"
     found = script("from lib.a import go\ngo()", a=code, **{package: ""})
     assert [end.type for end in found.endpoints if not end.implicit] == [f"{package}/String"]
@@ -158,6 +168,24 @@ def test_a_directory_of_the_name_of_a_message_package_changes_no_type(place: str
     (configuration,) = follow(files, 2).configurations
     (found,) = configuration.nodes
     assert [(end.name, end.type) for end in found.endpoints if not end.implicit] == [("/a", "std_msgs/msg/String")]
+
+
+@pytest.mark.parametrize("form", ["from {0} import name", "import {0}\nname = {0}.name", "from {0}.inner import name"])
+@pytest.mark.parametrize("package", ["arm_interfaces", "interfaces", "tool"])
+def test_a_module_with_such_a_name_that_is_no_message_package(package: str, form: str) -> None:
+    text = "import rclpy\nfrom rclpy.node import Node\nfrom std_msgs.msg import String\n"
+    main = "def main():\n    rclpy.init()\n    node = Node('n')\n    node.create_publisher(String, name(), 1)\n    rclpy.spin(node)\n"
+    files = {
+        "p/package.xml": "<package format='3'><name>p</name><export><build_type>ament_python</build_type></export></package>",
+        "p/setup.py": f"from setuptools import setup\nsetup(name='p', packages=['p', '{package}'], entry_points={{'console_scripts': ['n = p.n:main']}})\n",
+        "p/p/__init__.py": "",
+        f"p/{package}/__init__.py": "from .inner import name\n",
+        f"p/{package}/inner.py": "def name():\n    return 'right'\n",
+        "p/p/n.py": text + form.format(package) + "\n" + main,
+    }
+    (configuration,) = follow(files, 2).configurations
+    (found,) = configuration.nodes
+    assert [end.name for end in found.endpoints if not end.implicit] == ["/right"]
 
 
 def test_python_3_finds_nothing_beside() -> None:

@@ -6,6 +6,7 @@ from __future__ import annotations
 import posixpath
 import sys
 from collections.abc import Iterable
+from itertools import accumulate
 
 from haros_ci import syntax
 from haros_ci.follow import python_names
@@ -20,7 +21,7 @@ from haros_ci.values.abstract import Known, Library, Module, Value
 #: Modules of a ROS package that are generated: a script of the package's own name is not meant by what is imported of them.
 _GENERATED = frozenset(("msg", "srv", "action", "cfg"))
 
-#: How the names of packages of messages end.
+#: How the names of packages of messages end (REP 144); those of other packages end with the last of these, too.
 _OF_MESSAGES = ("_msgs", "_srvs", "_interfaces")
 
 
@@ -101,7 +102,8 @@ def _placed(walk: Walk, source: Source, target: str) -> tuple[Source, tuple[str,
     names = target[dots:].split(".") if target[dots:] else []
     if not dots:
         script = next(iter(walk.modules.values())).source if walk.modules else source
-        if script.module or names[0] in _libraries(walk) or (len(names) > 1 and names[1] in _GENERATED):
+        is_generated = not _GENERATED.isdisjoint(names[1:2]) or _is_of_messages(target)
+        if script.module or names[0] in _libraries(walk) or is_generated:
             return None
         directory = posixpath.dirname(script.path)
     elif source.module:
@@ -122,19 +124,29 @@ def beside(walk: Walk, source: Source, target: str) -> str | None:
 
     Python 3, which all programs of ROS 2 run on, finds nothing there (PEP 328). Messages and libraries that are known go first.
     """
-    names = target.split(".")
-    if walk.context.process is not None or names[1:2] and names[1] in _GENERATED or is_of_messages(names[0]):
+    head, *rest = target.split(".")
+    if walk.context.process is not None or not _GENERATED.isdisjoint(rest[:1]) or _is_of_messages(target):
         return None
     package = source.module if source.path.endswith("__init__.py") else source.module.rpartition(".")[0]
-    head = target.partition(".")[0]
     if not package or head == package.partition(".")[0] or f"{package}.{head}" not in walk.index.modules:
         return None
     return None if head in _libraries(walk) else f"{package}.{target}"
 
 
-def is_of_messages(package: str) -> bool:
-    """Whether a Python package is the generated code of messages by its name: no file of that name in another ROS package is meant."""
-    return package in COMMON or package.endswith(_OF_MESSAGES)
+def is_generated_elsewhere(walk: Walk, target: str) -> bool:
+    """Whether *target* is generated code by its name, and no Python module of a ROS package of that name: one that another package has is not meant."""
+    head = target.partition(".")[0]
+    return _is_of_messages(target) and not any(
+        source.package == head
+        for name in accumulate(target.split("."), "{}.{}".format)
+        for source in walk.index.modules.get(name, ())
+    )
+
+
+def _is_of_messages(target: str) -> bool:
+    """Whether a dotted name is that of generated code; ``import a_msgs.msg`` binds ``a_msgs`` alone."""
+    head, *rest = target.split(".")
+    return head.endswith(_OF_MESSAGES) and rest[0] in _GENERATED if rest else head.endswith(_OF_MESSAGES[:-1])
 
 
 def is_outside(walk: Walk, source: Source, module: str) -> bool:

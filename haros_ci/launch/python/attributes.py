@@ -11,7 +11,7 @@ from haros_ci.launch.python.contexts import configurations_attribute, context_at
 from haros_ci.launch.python.definitions import method_of
 from haros_ci.launch.python.forks import fork
 from haros_ci.launch.python.imports import module
-from haros_ci.launch.python.lineage import find
+from haros_ci.launch.python.lineage import find, lineage
 from haros_ci.launch.python.made_attributes import made_attribute
 from haros_ci.launch.python.path_methods import path_attribute, read_opened
 from haros_ci.launch.python.run import ScriptEvaluation
@@ -130,7 +130,7 @@ def member(run: ScriptEvaluation, value: ScriptInstance | ScriptClass, name: str
     found = find(made, name)
     if isinstance(found, ScriptFunction):
         return method_of(run, found, value, made, place)
-    if found is not None or any(name in item.variables for item in (made, *made.bases)):
+    if found is not None or any(name in item.variables for item in lineage(made)):
         return found
     return run.unknown(f"`{made.name}` has no `{name}` that is known", place)
 

@@ -4,18 +4,12 @@
 from __future__ import annotations
 
 from haros_ci.launch.python.values import ScriptClass, Value
+from haros_ci.reached import reached
 
 
 def lineage(first: ScriptClass) -> tuple[ScriptClass, ...]:
     """A class and all above it, depth first; what is reached by several ways stands there once."""
-    found: dict[ScriptClass, None] = {}
-    waiting = [first]
-    while waiting:
-        one = waiting.pop()
-        if one not in found:
-            found[one] = None
-            waiting += reversed(one.bases)
-    return tuple(found)
+    return tuple(reached(first, lambda one: one.bases))
 
 
 def find(owner: ScriptClass, name: str) -> Value | None:
