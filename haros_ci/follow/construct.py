@@ -264,7 +264,9 @@ def initialise(  # noqa: C901 - the steps of [class.base.init], in its order
             walk, inner, function, definition.name
         ):  # delegates to another constructor
             args = call_arguments.arguments(walk, inner, inits[short].arguments)
-            initialise(walk, inner, this, owner, templates, args, location, parts)
+            other = methods.other_constructor(walk, source, definition, function, args)
+            if other is not None:
+                initialise(walk, inner, this, owner, templates, args, location, parts, other)
             if function.body is not None:
                 activation.follow_body(walk, inner, function)
             return

@@ -87,6 +87,16 @@ def own_method(walk: Walk, source: Source, definition: Class, name: str, argumen
     return where, overloads.decorated(walk, function)
 
 
+def other_constructor(
+    walk: Walk, source: Source, definition: Class, running: Function, arguments: Given
+) -> Found | None:
+    """The constructor that *running* delegates to: another one of its class ([class.base.init], paragraph 6)."""
+    kinds = [parameter.type for parameter in running.parameters]
+    every = _cpp_methods(walk, source, definition, definition.name.rpartition("::")[2])
+    others = [item for item in every if [parameter.type for parameter in item[1].parameters] != kinds]
+    return overload(walk, others, arguments) if others else None
+
+
 def python_class(walk: Walk, base: Type, source: Source) -> tuple[Source, Class] | None:
     value: Value = expressions.evaluate(
         walk, python_names.module_frame(walk, source), syntax.Name(base.name.split(".")[0])

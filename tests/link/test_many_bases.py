@@ -70,3 +70,26 @@ def test_all_parts_of_an_object_are_constructed(classes: str, expected: list[str
     first = "struct A { A(const char * n) { ros::NodeHandle nh; nh.advertise<std_msgs::String>(n, 1); } };\n"
     (found,) = only(follow(cpp_files(main("D d;", first + classes)))).nodes
     assert sorted(set(names(found))) == expected
+
+
+#: A constructor that delegates does so to another one, also where the type of what it hands on is not known.
+DELEGATING = (
+    (
+        'N(int n) { nh_.advertise<std_msgs::String>("a", 1); } template <class T> explicit N(T t) : N(t->base()) {}',
+        ["/a"],
+    ),
+    (
+        'template <class T> explicit N(T t) : N(t->base()) {} N(int n) { nh_.advertise<std_msgs::String>("a", 1); }',
+        ["/a"],
+    ),
+    ("template <class T> explicit N(T t) : N(t->base()) {}", []),
+    ('N(int n) : N(text()) {} N(std::string t) { nh_.advertise<std_msgs::String>("b", 1); }', ["/b"]),
+)
+
+
+@pytest.mark.parametrize(("members", "expected"), DELEGATING)
+def test_a_constructor_that_delegates(members: str, expected: list[str]) -> None:
+    before = f"std::string text();\nstruct N {{ ros::NodeHandle nh_; {members} }};\n"
+    use = "N n(1);" if "N(int n) :" in members else "N n(outside());"
+    (found,) = only(follow(cpp_files(main(use, before)))).nodes
+    assert (names(found), gaps(found)) == (expected, [])
