@@ -17,7 +17,6 @@ DOORS: dict[str, set[str]] = {
     "__init__": set(),
     "model": set(),
     "errors": set(),
-    "reached": set(),
     "records": set(),
     "regex": set(),
     "timing": set(),
@@ -280,7 +279,7 @@ DOORS: dict[str, set[str]] = {
     },
 }
 #: What modules are made with: regular expressions and data classes. ``haros_ci`` itself has the version and the address.
-TOOLS = ("reached", "records", "regex")
+TOOLS = ("records", "regex")
 PURE_ROOMS = {"model", "results"}
 EFFECTS = {"subprocess", "socket", "shutil", "tempfile", "multiprocessing"}
 #: A module that has more is of several nouns. There are no exceptions: whatever would be one is split.

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from haros_ci import syntax
 from haros_ci.index.index import Source
 from haros_ci.model.location import Location
-from haros_ci.reached import reached
+from haros_ci.model.reached import reached
 from haros_ci.syntax import Class
 
 if TYPE_CHECKING:

@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from haros_ci import syntax
 from haros_ci.index.index import Source
 from haros_ci.index.relevance import Relevance
-from haros_ci.reached import reached
+from haros_ci.model.reached import reached
 from haros_ci.syntax import Class, Function, Type
 from haros_ci.systems.following import Types
 from haros_ci.systems.ros2_library import Library, Seen

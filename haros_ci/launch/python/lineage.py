@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from haros_ci.launch.python.values import ScriptClass, Value
-from haros_ci.reached import reached
+from haros_ci.model.reached import reached
 
 
 def lineage(first: ScriptClass) -> tuple[ScriptClass, ...]:
