@@ -10,7 +10,12 @@ Name = TypeVar("Name", bound=Any)
 
 
 def circles(graph: Mapping[Name, Iterable[Name]]) -> Iterator[frozenset[Name]]:
-    """The strongly connected components of more than one name, in the order of *graph* (Tarjan 1972, without recursion)."""
+    """The strongly connected components of more than one name, in the order of *graph*."""
+    return (group for group in components(graph) if len(group) > 1)
+
+
+def components(graph: Mapping[Name, Iterable[Name]]) -> Iterator[frozenset[Name]]:
+    """The strongly connected components of *graph* (Tarjan 1972, without recursion): all that one leads to comes before it."""
     index: dict[Name, int] = {}
     low: dict[Name, int] = {}
     stack: list[Name] = []
@@ -36,12 +41,11 @@ def circles(graph: Mapping[Name, Iterable[Name]]) -> Iterator[frozenset[Name]]:
                 if work:
                     low[work[-1][0]] = min(low[work[-1][0]], low[name])
                 if low[name] == index[name]:
-                    at = stack.index(name)
-                    group = frozenset(stack[at:])
-                    del stack[at:]
+                    group = {stack.pop()}
+                    while name not in group:
+                        group.add(stack.pop())
                     held -= group
-                    if len(group) > 1:
-                        yield group
+                    yield frozenset(group)
 
 
 def in_circles(graph: Mapping[Name, Iterable[Name]]) -> dict[Name, int]:

@@ -189,6 +189,34 @@ def python_classes(first: int, last: int) -> str:
     )
 
 
+def chain(height: int) -> str:
+    return "class C0: pass\n" + "".join(f"class C{n}(C{n - 1}): pass\n" for n in range(1, height))
+
+
+HIGH = {
+    "one above another": chain(16),
+    "made by calls": "class C0: pass\n" + "".join(f'C{n} = type("C", (C{n - 1},), {{}})\n' for n in range(1, 16)),
+    "by other names": "".join(f"class C{n}(D{n - 1}): pass\nD{n} = C{n}\n" for n in range(16)),
+    "of one name": "class C: pass\n" + "class C(C): pass\n" * 15,
+    "in classes": "".join(f"class A{n}:\n    class C(A{n - 1}.C): pass\n" for n in range(1, 17)),
+    "in two lines": chain(16).replace("(", "\\\n("),
+    "of two names": "class A(B): pass\nclass B(A): pass\n" * 8,
+    "of types": chain(16).replace("):", "[int]):"),
+    "very many": chain(5000),
+}
+
+
+@pytest.mark.parametrize("name", HIGH)
+def test_python_classes_one_above_another(tmp_path: Path, name: str) -> None:
+    assert declined_by_pylint(tmp_path, {"a.py": HIGH[name]}) == {"a.py": growth.HIGH}
+
+
+def test_python_classes_one_above_another_in_several_files(tmp_path: Path) -> None:
+    lines = chain(12).splitlines(keepends=True)
+    files = {f"m{n}.py": (f"from m{n - 1} import *\n" if n else "") + line for n, line in enumerate(lines)}
+    assert declined_by_pylint(tmp_path, files) == {"m10.py": growth.HIGH, "m11.py": growth.HIGH}
+
+
 PYTHON = {
     "doubled": python_classes(1, 40),
     "made by calls": "".join(
@@ -214,10 +242,17 @@ def test_python_classes_with_many_ways_up(tmp_path: Path, name: str) -> None:
     [
         "",
         "class A(\n",
-        "".join(f"class C{n}(C{n - 1}): pass\n" for n in range(500)),
+        chain(10),
+        *(chain(m) + chain(m).replace("C", "D") for m in (7, 10)),
+        "".join(f"class C{n}(C{n % 3}): pass\n" for n in range(3, 500)),
+        "".join(f"class C{n}(Base): pass\nclass D{n}(C{n}): pass\n" for n in range(500)),
+        "class Node(base.Foo): pass\nclass Foo(other.Node): pass\n" * 4,
+        "class Node(rclpy.node.Node): pass\n" * 10,
+        "".join(f"x{n} = x{n - 1}.y\n" for n in range(500)) + "x = msg.x\n" * 50,
+        "".join(f"class A{n}:\n    class C(object): pass\n" for n in range(500)),
         "".join(f"class C{n}(Node, Mixin): pass\n" for n in range(500)),
         "".join(f"class Node{n}(rclpy.node.Node, Named, metaclass=M): pass\n" for n in range(500)),
-        "class Node(a.Node, b.Node): pass\n" * 100,
+        "class Node(a.Node, b.Node): pass\n" * 10,
         python_classes(1, 8),
         "".join(f"a{n} = a{n - 1} + b{n - 1}\nb{n} = type(a{n - 1})\n" for n in range(1, 100)),
     ],
