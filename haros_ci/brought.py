@@ -168,14 +168,15 @@ def _by_comments(workspace: Workspace, base: Base) -> AddedComments:
 def unreadable(
     workspace: Workspace, base: Base | None, runs: tuple[Run, ...], past: Callable[[Base], Iterable[Run]] | None
 ) -> Unreadable:
-    """The *runs* without what linters cannot analyse since *base*, and a result for each file of that, and for each that is used as code since then."""
+    """The *runs* without what linters cannot analyse since *base*, and a result for each file of that, and for what else *base* had analysed."""
     if base is None:
         return runs, ()
     from haros_ci.workspace.build_changes import brought_steps
+    from haros_ci.workspace.lost_packages import lost_packages
 
     left, lost = _unreadable(workspace, base, runs, past)
-    steps = own.step_results(brought_steps(workspace, base.workspace)[0])
-    return left, (*own.unread_results(_used_first(workspace, base)), *steps, *lost)
+    brought = (*brought_steps(workspace, base.workspace)[0], *lost_packages(workspace, base.workspace, base.renames))
+    return left, (*own.unread_results(_used_first(workspace, base)), *own.brought_results(brought), *lost)
 
 
 def _used_first(workspace: Workspace, base: Base) -> Iterator[Problem]:

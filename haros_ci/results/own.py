@@ -70,7 +70,8 @@ FILE_NOT_ANALYSED = Rule(
         "in the base revision or the file is new. So is code under a name that is not analysed as code, where analysed files use it: C++ includes it "
         '(`#include "table.inc"`), CMake makes code of it (property LANGUAGE, a template such as `part.hpp.in`), Python runs it '
         "(`exec(open(...))`), or it lies in a hidden or otherwise left out directory that they name; Cython (`.pyx`) always. So is a submodule that "
-        "is new and not checked out. So is a command of CMake, at its line, by which other files may be compiled or installed as code: a flag, a property, a variable or a "
+        "is new and not checked out. So is a package that the change takes out of the model while its code stays: its manifest is gone, lies in "
+        "another package now, or has the name of another one. So is a command of CMake, at its line, by which other files may be compiled or installed as code: a flag, a property, a variable or a "
         "form of an argument that haros-ci does not know to be harmless. Give it the name of its language, make the file readable, split it, or leave it out by 'exclude' in "
         "the project file of the base revision. A comment in the file does not silence this."
     ),
@@ -177,8 +178,8 @@ def unread_results(problems: Iterable[Problem]) -> tuple[Result, ...]:
     )
 
 
-def step_results(problems: Iterable[Problem]) -> tuple[Result, ...]:
-    """One result for each command of a build file that a change brings and that no reader follows, at its line."""
+def brought_results(problems: Iterable[Problem]) -> tuple[Result, ...]:
+    """One result for each thing that a change brings and that keeps code from being analysed, such as a command of a build file, at its line."""
     return tuple(
         _unanalysed(problem.path, f"since this change {problem.message}", problem.line) for problem in problems
     )

@@ -116,7 +116,7 @@ class TrackedChange:
             path for path in self.tracked if _is_database(path) and self.is_known and self.has_changed(path)
         )
         hiding = Hiding(
-            warnings=(*self._warnings(candidates, scope), *self._enclosing(candidates, workspace)),
+            warnings=tuple(self._warnings(candidates, scope)),
             notes=(
                 *self._notes(sorted(aside.keys() - {*reached}), scope),
                 *noted(others, code, used, self.has_changed, self._tree),
@@ -186,27 +186,6 @@ class TrackedChange:
             if files := [path for path in paths if path.startswith(f"{directory}/")]:
                 verb = "is" if len(files) == 1 else "are"
                 yield Problem(directory, f"{self._cause(directory)}; {_files(files)} below it {verb} analysed")
-
-    def _enclosing(self, chosen: Iterable[CandidatePath], workspace: Workspace) -> Iterator[Problem]:
-        """One for each package that the change makes around packages of the base: they are none any more, as nobody looks below one."""
-        packages = {package.path for package in workspace.packages}
-        swallowed: dict[str, list[str]] = {}
-        manifests = (candidate.path for candidate in chosen if candidate.path.rpartition("/")[2] == _MANIFEST)
-        for path in sorted(manifests):
-            directory = path.rpartition("/")[0] or "."
-            if path not in self.base or directory in packages:
-                continue
-            above = [*parents(directory), "."]
-            if any(_manifest(parent) in self.base for parent in above):
-                continue  # it was part of another package before
-            if around := next((p for p in above if p in packages and _manifest(p) in self.tracked), None):
-                swallowed.setdefault(_manifest(around), []).append(directory)
-        for path, inner in swallowed.items():
-            text = f"the change makes a package around {_plural(len(inner), 'package')} of the base revision ({named(inner)})"
-            yield Problem(
-                path,
-                f"{text}: colcon and catkin do not look below a package, so they are not built or checked as packages",
-            )
 
     def _cause(self, directory: str) -> str:
         """Why *directory* would be left out."""
