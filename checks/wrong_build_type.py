@@ -123,9 +123,7 @@ def _mismatches(package: ProjectPackage, kind: str, at: Location) -> Iterator[Fi
         )
         message = f"{package} has the build type {kind}, but no CMakeLists.txt: its build fails{more}"
         yield _finding(package, at, message, "no CMakeLists.txt")
-    elif (
-        kind == "ament_python" and has_files and not any(map(package.has, ("setup.py", "setup.cfg", "pyproject.toml")))
-    ):
+    elif kind == "ament_python" and has_files and not any(map(package.has, ("setup.py", "pyproject.toml"))):
         message = (
             f"{package} has the build type ament_python, but no setup.py: its build fails; add setup.py, or correct "
             "the build type"
