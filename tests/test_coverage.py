@@ -593,3 +593,26 @@ def test_a_decorator_of_the_workspace_may_call_what_it_is_given(
     )
     monkeypatch.chdir(tmp_path)
     assert [each.state for each in sites(capsys) if each.call.startswith("node.")] == [state]
+
+
+@pytest.mark.parametrize(
+    ("build", "states"),
+    [
+        (None, {("unreached", "the file is in no target")}),
+        ("CMakeLists.txt", {("endpoint", "")}),
+        ("Makefile", {("open", "nothing of the function is in the model")}),
+    ],
+)
+def test_a_package_without_a_build_file_compiles_nothing(
+    workspace: Path, capsys: pytest.CaptureFixture[str], build: str | None, states: set[tuple[str, str]]
+) -> None:
+    main = '#include <rclcpp/rclcpp.hpp>\nint main(int argc, char** argv) {\n  rclcpp::init(argc, argv);\n  auto node = rclcpp::Node::make_shared("n");\n'
+    files = {
+        "src/bare/package.xml": "<package format='3'><name>bare</name><depend>rclcpp</depend><export><build_type>ament_cmake</build_type></export></package>\n",
+        "src/bare/src/bare.cpp": f'{main}  auto p = node->create_publisher<std_msgs::msg::Bool>("b", 1);\n  rclcpp::spin(node);\n}}\n',
+    }
+    if build is not None:
+        files[f"src/bare/{build}"] = "project(bare)\nadd_executable(bare src/bare.cpp)\n"
+    write(workspace, files)
+    found = {(site.state, site.reason) for site in sites(capsys) if site.path.endswith("bare.cpp")}
+    assert found == states

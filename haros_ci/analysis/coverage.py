@@ -193,7 +193,7 @@ class CoverageJudge:
     def areas(self) -> Callable[[Source], str]:
         """A function that says what a file is for."""
         if not self.files:
-            self.files.append(built(self.code, self.made.builds, self.workspace.packages))
+            self.files.append(built(self.code, self.made.builds, self.workspace))
         untested, tested = self.files[0]
         packages = {package.name: package for package in self.workspace.packages}
         of_tests = tested - untested

@@ -6,6 +6,7 @@ from __future__ import annotations
 import posixpath
 import re
 from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Set as AbstractSet
 
 from haros_ci.code.classes import absolute
 from haros_ci.code.codebase import Codebase
@@ -27,6 +28,18 @@ _TEST_PACKAGE = regex(r"(?:\w+_)?(?:tests?|testing)|test_\w+")
 _LOADER = regex(r"\bClassLoader\s*<\s*([\w:]+)")
 _PROGRAM = regex(r"^if[ \t(]+__name__\b|^#!", re.MULTILINE)
 _SCRIPT = regex(r"\w{1,100}\.py\b")
+#: What can say how C++ is compiled.
+_BUILD_FILES = (
+    "CMakeLists.txt",
+    "Makefile",
+    "GNUmakefile",
+    "makefile",
+    "meson.build",
+    "BUILD",
+    "BUILD.bazel",
+    "setup.py",
+    "SConstruct",
+)
 #: What registers a class with Gazebo.
 _SIMULATED = regex(r"(?:GZ|IGN|IGNITION|GAZEBO)_(?:REGISTER_\w*PLUGIN|ADD_PLUGIN)")
 #: Kinds of files that name plug-ins and classes which are to be loaded, and ends of names of others.
@@ -116,11 +129,14 @@ def _configured(workspace: Workspace, waiting: list[tuple[str, str]], classes: f
         yield from (name for word, name in waiting if word in text)
 
 
-def built(
-    code: Codebase, builds: Mapping[str, Build], packages: Iterable[Package]
-) -> tuple[frozenset[str], frozenset[str]]:
-    """The files that targets are made of, of others and of tests; Python is in both. All where a build is not known as a whole."""
+def built(code: Codebase, builds: Mapping[str, Build], workspace: Workspace) -> tuple[frozenset[str], frozenset[str]]:
+    """The files that targets are made of, of others and of tests; Python is in both. All where a build is not known as a whole.
+
+    C++ of a package without a build file is in no target.
+    """
+    packages = workspace.packages
     known = {package.name for package in packages if package.name in builds and is_whole(builds[package.name], package)}
+    known |= {package.name for package in packages if _has_no_build_file(package, workspace.names)}
     sides: list[set[str]] = [set(), set()]
     for build in builds.values():
         for target in build.targets:
@@ -135,6 +151,12 @@ def built(
             if path in code.cpp.sources:
                 side |= code.cpp.reach(path)
     return frozenset(sides[0]), frozenset(sides[1])
+
+
+def _has_no_build_file(package: Package, names: AbstractSet[str]) -> bool:
+    """Whether nothing can compile C++ of the package by itself: among the *names* of all files, as far as they are known, is no build file of it."""
+    inside = "" if package.path == "." else f"{package.path}/"
+    return bool(names) and not any(f"{inside}{name}" in names for name in _BUILD_FILES)
 
 
 def imported(code: Codebase, builds: Mapping[str, Build], workspace: Workspace) -> frozenset[str]:

@@ -121,7 +121,7 @@ def workers(place: Place) -> bool:
 
 def tool(place: Place) -> bool:
     """The linter and its child are at work."""
-    return sum(b"xmllint" in command_line(pid) for pid in place.processes()) >= 2
+    return sum(b"bin/xmllint" in command_line(pid) for pid in place.processes()) >= 2
 
 
 def command_line(pid: int) -> bytes:
