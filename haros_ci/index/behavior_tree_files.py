@@ -5,7 +5,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 
-from haros_ci.index.index import TREES, Index, Source
+from haros_ci.index.index import Index, Source
+from haros_ci.index.tree_includes import brings_trees
 from haros_ci.index.xml_files import XmlFileReader
 from haros_ci.model.build import Build
 from haros_ci.model.launch import LaunchElement
@@ -161,7 +162,7 @@ def _tag(element: LaunchElement) -> Tag:
 
 def makes_trees(source: Source) -> bool:
     """Whether a file includes what makes trees and registers their nodes."""
-    return any(TREES in include for include in source.program.includes)
+    return any(map(brings_trees, source.program.includes))
 
 
 def users(index: Index) -> frozenset[str]:

@@ -14,6 +14,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from haros_ci.index.trace import Trace, Traced
+from haros_ci.index.tree_includes import brings_trees
 from haros_ci.records import dataclass, field
 from haros_ci.syntax import Alias, Class, Field, Function
 from haros_ci.syntax.source import Source as Source
@@ -28,8 +29,8 @@ ALIASES = 8
 EITHER = "it is defined more than once"
 #: What macros that declare smart pointers to a class put after its name, the longest first.
 POINTERS = ("ConstUniquePtr", "ConstWeakPtr", "UniquePtr", "WeakPtr", "ConstPtr", "Ptr")
-#: What makes behaviour trees includes this; what is loaded for them is of this base.
-TREES, BEHAVIOR_TREE_NODE = "/bt_factory.h", "TreeNode"
+#: What is loaded for behaviour trees is of this base.
+BEHAVIOR_TREE_NODE = "TreeNode"
 HEADERS = (".h", ".hh", ".hpp", ".hxx", ".H", ".inl", ".ipp", ".tpp")
 
 
@@ -210,12 +211,11 @@ class Index:
     def _loads(self, path: str) -> bool:
         source = self.sources.get(path)
         return source is not None and any(
-            "class_loader" in include or TREES in include for include in source.program.includes
+            "class_loader" in include or brings_trees(include) for include in source.program.includes
         )
 
     def _ticks(self, path: str) -> bool:
-        source = self.sources.get(path)
-        return source is not None and any(TREES in include for include in source.program.includes)
+        return path in self.sources and any(map(brings_trees, self.sources[path].program.includes))
 
     def reach(self, path: str) -> frozenset[str]:
         """The workspace's files that a C++ file includes, and those that they include."""

@@ -4,12 +4,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 from functools import partial
 from typing import Any
 
 from haros_ci.follow.context import Context, Exact
 from haros_ci.follow.follow import Entry, follow
 from haros_ci.follow.made import MadeEntity
+from haros_ci.follow.ros import behavior_trees
 from haros_ci.follow.ros.own_name import counting
 from haros_ci.follow.walk import Walk
 from haros_ci.graph.parameters import YamlFiles
@@ -125,6 +127,8 @@ class Instance:
     has_own: bool = False
     #: Whether its remappings are those of the process; a nodelet's are its own, and not those of its manager.
     remaps_process: bool = True
+    #: Whether, of a behaviour tree that is not known, the nodes of every tree of the workspace are.
+    has_trees: bool = False
 
 
 def run_node(
@@ -135,9 +139,16 @@ def run_node(
     parameter: Callable[[str], Value | None],
     renames: Callable[[Value, bool | None], bool] = lambda name, anonymous: False,
 ) -> Followed:
-    """Follow one node, unless it has been followed under the same names and all that it asked for is the same again."""
+    """Follow one node, unless it has been followed under the same names and all that it asked for is the same again.
+
+    With the nodes of every behaviour tree it is followed only where it creates one that is not known without them.
+    """
+    if instance.has_trees:
+        plain = run_node(types, entry, files, replace(instance, has_trees=False), parameter, renames)
+        if behavior_trees.UNKNOWN not in plain.gaps and not plain.problems:
+            return plain
     wiring = tuple(sorted(instance.remaps.items()))
-    words = instance.arguments, instance.is_launched, instance.has_own, instance.remaps_process
+    words = instance.arguments, instance.is_launched, instance.has_own, instance.remaps_process, instance.has_trees
     key = (entry.key, files_key(files), instance.name, instance.namespace, *words, wiring, instance.process)
     earlier = types.followed.setdefault(key, [])
     for done in earlier:
@@ -157,6 +168,9 @@ def run_node(
         has_own=instance.has_own,
         plugins=types.plugins,
         declared=types.declared,
+        trees=types.trees,
+        any_tree=instance.has_trees,
+        xml=types.xml,
         parameter=ask,
         read_yaml=types.read_yaml,
         remap=lambda name: instance.remaps.get(name, name),

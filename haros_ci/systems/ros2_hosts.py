@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The ROS 2 executables that load plug-ins or create behaviour trees: which are followed once more, with all of these."""
+"""The executables that load plug-ins (ROS 2) or create behaviour trees: which are followed once more, with all of these."""
 
 from __future__ import annotations
 
@@ -8,9 +8,10 @@ from collections.abc import Iterable
 from haros_ci import syntax
 from haros_ci.index import behavior_tree_files
 from haros_ci.syntax import Type
+from haros_ci.systems import system
 from haros_ci.systems.following import Types
-from haros_ci.systems.ros2_system import PLUGINS, TREES, alone
-from haros_ci.systems.system import Job
+from haros_ci.systems.ros2_system import PLUGINS, alone
+from haros_ci.systems.system import TREES, Job
 
 
 def hosts(types: Types) -> Iterable[Job]:
@@ -46,12 +47,13 @@ def tree_hosts(types: Types) -> Iterable[Job]:
     cpp = types.programs.cpp
     using = behavior_tree_files.users(cpp) if types.trees is not None else frozenset[str]()
     seen: set[int] = set()
-    for package, name in sorted(types.ros2_programs) if using else ():
-        entry, files = types.ros2_programs[package, name]
-        is_new = id(entry) not in seen and entry.source.separator == "::"
-        if is_new and behavior_tree_files.runs_trees(cpp, using, (entry.source.path, *files)):
-            seen.add(id(entry))
-            yield alone(types, package, name, label=TREES)
+    for programs, started in ((types.ros2_programs, alone), (types.executables, system.alone)) if using else ():
+        for package, name in sorted(programs):
+            entry, files = programs[package, name]
+            is_new = id(entry) not in seen and entry.source.separator == "::"
+            if is_new and behavior_tree_files.runs_trees(cpp, using, (entry.source.path, *files)):
+                seen.add(id(entry))
+                yield started(types, package, name, label=TREES)
 
 
 def _loaders(types: Types) -> tuple[dict[str, set[str]], set[str | None]]:

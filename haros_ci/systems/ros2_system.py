@@ -28,7 +28,7 @@ from haros_ci.systems import outside
 from haros_ci.systems.following import Controller, Types, incomplete
 from haros_ci.systems.ros2_implicit import implicit
 from haros_ci.systems.ros2_processes import Started, run_process
-from haros_ci.systems.system import PROGRAM, Job
+from haros_ci.systems.system import PROGRAM, TREES, Job
 from haros_ci.values.abstract import Known, Opaque
 
 NOTHING = ParameterServer(())
@@ -38,8 +38,6 @@ SERVICES = ("servers", "clients")
 PLUGINS = "plug-ins"
 #: Why nothing is known of a process.
 UNSEEN = "no node is seen in its program"
-#: And in which it is followed with the nodes of every behaviour tree.
-TREES = "behaviour trees"
 
 
 def launched(types: Types, node: LaunchedNode, containers: Mapping[str, LaunchedNode]) -> Job:

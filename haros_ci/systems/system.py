@@ -9,6 +9,7 @@ from functools import partial
 from typing import Any
 
 from haros_ci.follow.follow import Entry
+from haros_ci.follow.ros import behavior_trees
 from haros_ci.follow.ros.ends import UNNAMED, by, endpoints
 from haros_ci.follow.ros.own_name import ANONYMOUS, OwnName, own_name
 from haros_ci.follow.ros.paces import paces
@@ -28,10 +29,12 @@ from haros_ci.model.workspace import Problem
 from haros_ci.records import dataclass
 from haros_ci.systems import outside
 from haros_ci.systems.following import Instance, Types, incomplete, run_node
-from haros_ci.values.abstract import Known, Value
+from haros_ci.values.abstract import Known, Opaque, Value
 
 #: What the arguments of the nodelet program can begin with.
 LOAD, STANDALONE, MANAGER = "load", "standalone", "manager"
+#: What a configuration is called besides in which a node is followed with the nodes of every behaviour tree.
+TREES = "behaviour trees"
 #: The kind of what is started alone and is no node: it gives itself no name, and makes nothing.
 PROGRAM = "program"
 
@@ -162,7 +165,7 @@ def alone(
 ) -> Job:
     """A node type started by itself, under the name that it gives itself; ``?`` for what is not known of it.
 
-    *found* is the program where the tables do not have it.
+    With the *label* ``TREES`` a behaviour tree that is not known has the nodes of every one; *found* is the program where the tables do not have it.
     """
     entry, files = found or types.executables[package, name]
     server = ParameterServer(())
@@ -175,8 +178,8 @@ def alone(
             types,
             entry,
             files,
-            Instance(full, "/", (), {}, full, has_own=True),
-            partial(server.get_for, chosen),
+            Instance(full, "/", (), {}, full, has_own=True, has_trees=label == TREES),
+            partial(server.get_for, chosen) if label != TREES else lambda name: Opaque(behavior_trees.ANY),
             renames,
         )
 

@@ -116,7 +116,7 @@ def _load(walk: Walk, factory: Object, library: Value | None) -> None:
             _load(walk, factory, option)
         return
     name = text_of(library)
-    if name is None:
+    if not name:  # the empty text is that of a parameter which is not set here
         factory.fields[OPEN] = Cell(TRUE)
     else:
         registered_by(walk, factory, name)

@@ -207,7 +207,7 @@ def _rows(call: str) -> list[Row]:
 @every(("module", "row"), FORMS)
 def test_every_row_loads_and_is_of_one_form(module: str, row: dict[str, object]) -> None:
     loaded = load_row(row)
-    assert module.startswith(("ros2_", "threads", "shared_pointers", "gazebo"))
+    assert module.startswith(("ros2_", "threads", "shared_pointers", "gazebo", "behavior_trees"))
     assert loaded.is_class or loaded.args, "every call says for how many arguments it holds"
     for entry in loaded.makes:
         if entry.kind in TOPICS + OFFERED:

@@ -160,7 +160,7 @@ CLASSES = {
 }
 
 
-@pytest.mark.parametrize("module", CPP)
+@pytest.mark.parametrize("module", [name for name in CPP if name != "behavior_trees"])
 def test_rows_are_literals(module: str) -> None:
     path = ROOT / "haros_ci" / "extract" / "apis" / f"{module}.py"
     body = ast.parse(path.read_text(encoding="utf-8")).body

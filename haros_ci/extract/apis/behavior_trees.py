@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""BehaviorTree.CPP (ROS 2, C++): the base classes of trees' nodes, and methods that ``link.behavior_trees`` models."""
+"""BehaviorTree.CPP (C++, of either ROS): the base classes of trees' nodes, and methods that ``link.behavior_trees`` models."""
 
 from __future__ import annotations
 
