@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Macros with parameters of headers of the workspace whose text calls an API (``#define ADVERTISE(T, n) nh.advertise<T>(n, 1)``), and who uses them.
+"""Macros with parameters of headers of the workspace whose text calls an API (``#define ADVERTISE(T, n) nh.advertise<T>(n, 1)``) or registers a class, and who uses them.
 
 A file is read by itself, so the macros that it gets by its includes are given to it when it is read once more. Given is what every
 definition of the name in the workspace agrees on; of other macros a node says that they are not followed (``follow.calling_macros``).
@@ -11,6 +11,7 @@ from collections.abc import Iterator, Mapping
 from posixpath import basename
 
 from haros_ci.extract.apis.tables import rows
+from haros_ci.extract.cpp.expansion import REGISTERING
 from haros_ci.extract.cpp.read import Macro
 from haros_ci.index.api_names import making_rows
 from haros_ci.keeping.kept import digest_of
@@ -49,6 +50,7 @@ def calling(programs: Mapping[str, Program]) -> dict[str, Macro]:
     methods = _methods() if any(mark for called in calls.values() for mark, _ in called) else frozenset()
     making = {name for name, called in calls.items() if any(mark and word in methods for mark, word in called)}
     making |= {name for name, called in calls.items() if any(word in single[name][0] for _, word in called)}
+    making |= {name for name, (_, body) in single.items() if REGISTERING.search(body)}
     while further := {name for name, called in calls.items() if {word for _, word in called} & making} - making:
         making |= further
     texts = _of_texts(single)

@@ -371,3 +371,23 @@ def test_many_nodes_that_differ() -> None:
     assert of_tree(tags) == {"p/n": [("/?", ["name"])]}
     tags = "".join(f'<Say topic="same" other="{number}"/>' for number in range(20))
     assert of_tree(tags) == {"p/n": [("/same", [])]}
+
+
+REGISTERING = """#define REGISTER_NODE(space, Type) \\
+  BT_REGISTER_NODES(factory) \\
+  { \\
+    factory.registerBuilder<space::Type>(#Type, built<space::Type>()); \\
+  }
+template <class T> static auto built() {
+  return [](const std::string & name, const BT::NodeConfiguration & config) { return std::make_unique<T>(name, config); };
+}
+"""
+
+
+def test_plug_ins_that_a_macro_of_a_header_registers() -> None:
+    library = f'#include "p/registering.hpp"\n{HEAD}namespace talk {{{SAY % PORT}}}\nREGISTER_NODE(talk, Say)\n'
+    body = 'factory.registerFromPlugin("libsay.so");' + FROM_TEXT % tree('<Say topic="a"/>')
+    files = {"src__say_dot_cpp": library, "include__p__registering_dot_hpp": HEAD + REGISTERING}
+    assert told(found(MAIN % body, LIBRARIES, **files)) == {"p/n": [("/a", [])]}
+    other = 'factory.registerFromPlugin("libsay.so");' + FROM_TEXT % tree('<Hear topic="a"/>')
+    assert told(found(MAIN % other, LIBRARIES, **files)) == {"p/n": []}

@@ -31,6 +31,10 @@ _PRIMITIVE = kinds("primitive_type sized_type_specifier placeholder_type_specifi
 _CALLED = kinds("abstract_function_declarator")
 _PARAMETERS = kinds("parameter_list")
 _PLAIN = kinds("identifier")
+#: Macros that register classes and nodes of behaviour trees: pluginlib/class_list_macros.hpp, rclcpp_components, class_loader, bt_factory.h.
+REGISTERING = regex(
+    r"\b(?:PLUGINLIB_\w+|RCLCPP_COMPONENTS_REGISTER_NODE|CLASS_LOADER_REGISTER_\w+|BT_REGISTER_NODES)\s*\("
+)
 _OPERATORS = frozenset(("new", "delete", "throw", "not", "sizeof", "co_await"))
 _CALLS = regex(r'"(?:[^"\\]|\\.)*"|\'(?:[^\'\\]|\\.)*\'|\b([A-Za-z_]\w*)\s*\(', re.DOTALL)
 _PARTS = regex(r'"(?:[^"\\]|\\.)*"|\'(?:[^\'\\]|\\.)*\'|[(){}\[\],]', re.DOTALL)
@@ -44,6 +48,18 @@ def _block(text: str) -> Node | None:
     if root is None or root.has_error or root.child_count != 1:
         return None
     return root.children[0].child_by_field_id(_BODY)
+
+
+def declared(unit: Unit, call: Node) -> tuple[Unit, list[Node]] | None:
+    """What a use of a macro at namespace scope declares, where its text has a macro that registers a class: a unit of the text, at the use's position, and its nodes.
+
+    None if the macro is none of these, or not simple.
+    """
+    text = _text(unit, call)
+    root = parse(f"{text};".encode("latin-1")) if text is not None and REGISTERING.search(text) else None
+    if text is None or root is None or root.has_error:
+        return None
+    return replace(unit, text=f"{text};", fixed=unit.position(call), level=unit.level + 1, shift=0), root.children
 
 
 def expand(unit: Unit, call: Node, depth: int, out: list[syntax.Statement]) -> bool:

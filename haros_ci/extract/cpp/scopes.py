@@ -8,7 +8,7 @@ from collections.abc import Callable
 from tree_sitter import Node
 
 from haros_ci import syntax
-from haros_ci.extract.cpp import declarations, flags, functions, preprocessor, types
+from haros_ci.extract.cpp import declarations, expansion, flags, functions, preprocessor, types
 from haros_ci.extract.cpp.grammar import ERROR, field, kinds, table
 from haros_ci.extract.cpp.unit import DEEPEST, TOO_DEEP, CppScope, Unit
 from haros_ci.regex import regex
@@ -237,6 +237,8 @@ def _registration(unit: Unit, node: Node, scope: CppScope, depth: int) -> None:
     texts = tuple(unit.collapsed(child.start_byte, child.end_byte) for child in written)
     flags.define(unit, unit.cut(function), written, scope, depth)
     unit.found.registered.append((unit.cut(function), texts, *unit.position(call)))
+    if (found := expansion.declared(unit, call)) is not None:
+        declare(*found, scope, depth)
 
 
 _HANDLERS: dict[int, Handler] = table(
