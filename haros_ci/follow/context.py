@@ -98,6 +98,10 @@ class Context:
         words = self.arguments if self.is_launched else None
         return None if words is None or any(PART in word for word in words) else list(words)
 
+    def words_by_hand(self) -> list[Value] | None:
+        """The words of a program that nothing starts: there are none; None of one that a launch file starts."""
+        return [] if not self.is_launched and self.arguments == () else None
+
     def added(self) -> tuple[tuple[str, ...], ...]:
         """What launch may add behind these words, beginning with nothing."""
         return ADDED if self.process is None else ADDED_BY_LAUNCH

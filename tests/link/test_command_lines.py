@@ -122,8 +122,36 @@ def test_words_that_roslaunch_adds_may_be_an_option(before: str, words: str, rea
     assert names(python(text, launch)) == [expected]
 
 
-def test_a_program_alone_may_be_given_words() -> None:
-    assert names(python(PARTLY + "PUB(o.topic)\n")) == ["/?"]
+@pytest.mark.parametrize(
+    "words",
+    ["", "None", "args=None", "argv", "args=argv", "sys.argv[1:]", "rospy.myargv()[1:]", "argv or sys.argv[1:]"],
+)
+def test_a_program_that_nothing_starts_has_no_words(words: str) -> None:
+    body = PARTLY.replace("parse_known_args()", f"parse_known_args({words})").replace("o, rest", "argv = None\no, rest")
+    assert names(python(body + "PUB(o.topic)\n")) == ["/a"]
+    assert names(python(body.replace("parse_known_args", "parse_args").replace("o, rest", "o") + "PUB(o.topic)\n")) == [
+        "/a"
+    ]
+
+
+@pytest.mark.parametrize(
+    ("option", "words"),
+    [
+        ('"file"', ""),
+        ('"--needed", required=True', ""),
+        ('"--needed", required=True', "argv"),
+        ('"--only", action=Own', ""),
+        ('"--more"', "other()"),
+        ('"--more"', "['-t', other()]"),
+        ('"--more"', "None, other()"),
+        ('"--more"', "namespace=other()"),
+    ],
+)
+def test_options_of_a_program_that_nothing_starts_and_that_are_not_known(option: str, words: str) -> None:
+    body = PARTLY.replace("parse_known_args()", f"parse_known_args({words})").replace(
+        "o, rest", f"p.add_argument({option})\nargv = None\no, rest"
+    )
+    assert set(names(python(body + "PUB(o.topic)\n"))) <= {"/?"}
 
 
 @pytest.mark.parametrize(

@@ -253,8 +253,11 @@ def test_commands_in_commands_of_argparse() -> None:
     assert made(python(PARSER + inner + SENT)) == ["/a talk", "/b hear", "/c hear in"]
 
 
-def test_other_options_stay_unknown() -> None:
-    assert made(python(PARSER + SENT.replace("o.func(o)", "PUB(o.n)"))) == ["/?"]
+def test_options_of_no_command_have_their_defaults() -> None:
+    assert made(python(PARSER + SENT.replace("o.func(o)", "PUB(o.n)"))) == ["/x"]
+
+
+def test_options_of_commands_stay_unknown() -> None:
     (end,) = python(PARSER + "r.set_defaults(func=other)\nq.set_defaults(func=other)\n" + SENT).endpoints[:1]
     assert (end.name, [each.reason for each in end.unknowns if each.field == "name"]) == (
         "/?",

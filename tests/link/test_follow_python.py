@@ -454,7 +454,7 @@ NOT_SURE = (
     case("getenv", 'import os\nPUB(os.getenv("X", "a"))', "/a|/b"),
     case(
         "argparse",
-        ('import argparse\np = argparse.ArgumentParser()\np.add_argument("--t", default="a")\nPUB(p.parse_args().t)'),
+        ('import argparse\np = argparse.ArgumentParser()\np.add_argument("--t", required=True)\nPUB(p.parse_args().t)'),
         "/a|/b",
     ),
     case("argv", 'import sys\nPUB(sys.argv[1] if len(sys.argv) > 1 else "a")', "/a"),

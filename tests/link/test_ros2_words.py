@@ -135,7 +135,7 @@ NAMED = {
 
 
 def test_options_of_all_words() -> None:
-    """argparse refuses what launch adds; which words a program gets that is started by hand is not known."""
+    """argparse refuses what launch adds; a program that nothing starts has no words."""
     assert published(started(READ % "", ", name='m'")) == [("/?", False)]
-    assert published(started(READ % "")) == [("/?", False)]
-    assert published(started(KNOWN % "")) == [("/?", False)]
+    assert published(started(READ % "")) == [("/b", False)]
+    assert published(started(KNOWN % "")) == [("/b", False)]

@@ -104,14 +104,16 @@ def _declared(walk: Walk, declared: Sequence, name: str, args: tuple[PassedArgum
 
 def _options(walk: Walk, frame: Frame, this: Object, args: tuple[PassedArgument, ...], is_partly: bool) -> Value:
     """What ``parse_args`` gives, and with it what is left over if *is_partly*."""
-    own = walk.context.own_words() if not args or args[0].value == NONE else ros_words.launched(_words(args[0].value))
     is_given = len(args) == 1 and args[0].keyword in ("", "args")
-    if own is not None and (is_given or not args):
+    is_own = not args or (is_given and args[0].value == NONE)  # then it reads sys.argv
+    own = walk.context.own_words() if is_own else ros_words.launched(_words(args[0].value)) if is_given else None
+    items = walk.context.words_by_hand() if is_own else _words(args[0].value) if is_given else None
+    if own is not None:
         found = _launched(walk, frame, this, own, is_partly)
-    elif is_given and not walk.context.is_launched and _words(args[0].value) == [] and _has_commands(this):
+    elif not walk.context.is_launched and items == [] and _has_commands(this):
         found = _of_any_command(walk, frame, this)
     else:
-        found = _parsed(this, args, is_partly)
+        found = _parsed(this, items, is_partly)
     if found is not None:
         return found
     options = _unread(walk, frame, this)
@@ -197,10 +199,8 @@ def _declared_inside(commands: Object, depth: int) -> Iterator[str]:
                     yield cell.value.of(str).lstrip("-").replace("-", "_")
 
 
-def _parsed(this: Object, args: tuple[PassedArgument, ...], is_partly: bool) -> Value | None:
-    """The options as an object; None if the words, or what they mean, are not known."""
-    is_given = len(args) == 1 and args[0].keyword in ("", "args")
-    items = _words(args[0].value) if is_given else None
+def _parsed(this: Object, items: list[Value] | None, is_partly: bool) -> Value | None:
+    """The options as an object where *items* are the words; None if these, or what they mean, are not known."""
     if items is None or len(items) > MOST:
         return None
     words = [item.of(str) for item in items if isinstance(item, Known) and issubclass(item.kind, str)]
