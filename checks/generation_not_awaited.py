@@ -20,6 +20,8 @@ _MESSAGES = ("generate_messages", "generate_messages_cpp", "gencpp", "genmsg", "
 _LIKE_GENERATED = regex(r"_(?:generate\w*|gen\w+|messages?(?:_cpp)?|msgs?_cpp|cfg|EXPORTED_TARGETS)$")
 #: The languages that targets of generated code may be for, which make no headers (genlisp, geneus, gennodejs, genpy).
 _OTHER_LANGUAGES = {"eus": "EusLisp", "lisp": "Lisp", "nodejs": "JavaScript", "py": "Python"}
+#: A reference to the targets of generated code of other packages, which stands for whole names.
+_OF_OTHERS = regex(r"\$\{\w+_EXPORTED_TARGETS\}")
 #: Commands that generate headers.
 _GENERATORS = ("generate_messages", "generate_dynamic_reconfigure_options", "rosidl_generate_interfaces")
 _CONFIGS = ("gencfg", "EXPORTED_TARGETS")
@@ -48,8 +50,8 @@ def _catkin(package: ProjectPackage) -> Iterator[Finding]:
     reported: set[str] = set()
     for target in _targets(package):
         awaited = package.cmake.awaited(target.name)
-        if any("${" in word and not word.endswith("_EXPORTED_TARGETS}") for word in awaited):
-            continue
+        if any("${" in word and not _OF_OTHERS.fullmatch(word) for word in awaited):
+            continue  # as in ${a}${b}: which names come of it depends on how many each of them has
         included = package.included.of(target)
         uses: dict[str, Location] = {}
         for kind, ends in (("messages", _MESSAGES), ("configs", _CONFIGS)):
