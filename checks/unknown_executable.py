@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from haros_ci.api import Check, Finding, Level, System, is_slip
+from haros_ci.api import Check, Finding, Level, System, alternatives, is_slip, listed
 from haros_ci.api.launch import ProgramUse, included_by, meant
 
 _WORDS = {
@@ -41,8 +41,21 @@ def _message(use: ProgramUse, system: System) -> str:
         return ""
     if use.is_library:
         return f"{use.program!r} of package {use.package} is a library, not a program: this node cannot start{_instead(use)}"
-    hint = _as_script(use, system) or meant(use.similar) or "; correct the name, or build and install it"
+    hint = (
+        _as_module(use)
+        or _as_script(use, system)
+        or meant(use.similar)
+        or "; correct the name, or build and install it"
+    )
     return f"package {use.package} {_WORDS[use.kind]} {use.program!r}: this node cannot start{hint}"
+
+
+def _as_module(use: ProgramUse) -> str:
+    """What to write where setup.py makes programs of other names of the module that is asked for."""
+    names = [repr(name) for name in use.similar] if use.is_module else []
+    what = "program" if len(names) == 1 else "programs"
+    made = f"; setup.py makes the {what} {listed(names)} of module {use.program.removesuffix('.py')}"
+    return "" if not names else f"{made}: write {alternatives(names)}" if alternatives(names) else made
 
 
 def _as_script(use: ProgramUse, system: System) -> str:

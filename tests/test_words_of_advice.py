@@ -39,10 +39,11 @@ def test_generation_for_another_language(awaited: str, words: str, tmp_path: Pat
 def test_a_script_without_entry_point(tmp_path: Path) -> None:
     files = {
         "package.xml": MANIFEST.format("demo", ROS2).replace("ament_cmake", "ament_python"),
-        "setup.py": SETUP % "'other = demo.walls:main'",
+        "setup.py": SETUP % "'other = demo.doors:main'",
         "resource/demo": "",
         "demo/__init__.py": "",
         "demo/walls.py": NODE,
+        "demo/doors.py": NODE,
         "launch/a.launch.xml": '<launch><node pkg="demo" exec="walls"/></launch>\n',
     }
     (message,) = messages("unknown-executable", files, tmp_path)
@@ -50,6 +51,49 @@ def test_a_script_without_entry_point(tmp_path: Path) -> None:
     assert message.endswith(
         "the package has walls.py, but setup.py makes no program of it: add 'walls = MODULE:main' to console_scripts in entry_points"
     )
+
+
+@pytest.mark.parametrize(
+    ("scripts", "program", "words"),
+    [
+        ("'walls_exe = demo.walls:main'", "walls", "; setup.py makes the program 'walls_exe' of module walls: write 'walls_exe'"),
+        ("'walls_exe = demo.walls:run'", "walls", "of module walls: write 'walls_exe'"),
+        ("'far = demo.walls:main'", "walls", "; setup.py makes the program 'far' of module walls: write 'far'"),
+        ("'b = demo.walls:main', 'a = demo.walls:main'", "walls", "makes the programs 'a' and 'b' of module walls: write 'a' or 'b'"),
+        ("'other = demo.doors:main'", "walls", "setup.py makes no program of it"),
+        ("'walls_exe = elsewhere.walls:main'", "walls", "setup.py makes no program of it"),
+        ("'walls_exe = demo.doors:walls'", "walls", "setup.py makes no program of it"),
+        ("'walls_exe = demo.walls.doors:main'", "walls", "setup.py makes no program of it"),
+        ("'wall = demo.doors:main'", "walls", "setup.py makes no program of it"),
+        ("'walls = demo.walls:main'", "wall", "; did you mean 'walls' or 'walls.py'?"),
+    ],
+)  # fmt: skip
+def test_a_program_of_the_module_that_is_asked_for(scripts: str, program: str, words: str, tmp_path: Path) -> None:
+    files = {
+        "package.xml": MANIFEST.format("demo", ROS2).replace("ament_cmake", "ament_python"),
+        "setup.py": SETUP % scripts,
+        "resource/demo": "",
+        "demo/__init__.py": "",
+        "demo/walls.py": NODE,
+        "demo/doors.py": NODE,
+        "launch/a.launch.xml": f'<launch><node pkg="demo" exec="{program}"/></launch>\n',
+    }
+    (message,) = messages("unknown-executable", files, tmp_path)
+    assert message.endswith(words) or (words.startswith("setup.py") and words in message)
+
+
+@pytest.mark.parametrize("program", ["walls_exe", "walls_there"])
+def test_a_program_that_is_there_by_that_name(program: str, tmp_path: Path) -> None:
+    files = {
+        "package.xml": MANIFEST.format("demo", ROS2).replace("ament_cmake", "ament_python"),
+        "setup.py": SETUP % "'walls_exe = demo.walls:main', 'walls_there = demo.doors:main'",
+        "resource/demo": "",
+        "demo/__init__.py": "",
+        "demo/walls.py": NODE,
+        "demo/doors.py": NODE,
+        "launch/a.launch.xml": f'<launch><node pkg="demo" exec="{program}"/></launch>\n',
+    }
+    assert messages("unknown-executable", files, tmp_path) == []
 
 
 @pytest.mark.parametrize(

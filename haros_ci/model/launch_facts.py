@@ -64,7 +64,8 @@ class ProgramUse(LaunchFact):
 
     *kind*: ``executable``, ``component`` or ``nodelet``. *is_found* says whether the package builds or installs it, None where
     its build cannot tell or it is not in the workspace. *similar* are names that the package has, or of one outside of the workspace those
-    that are known, nearest first. *is_library* says that the package builds a library of this name.
+    that are known, nearest first. *is_library* says that the package builds a library of this name, *is_module* that it has a Python module
+    of this name, which the programs *similar* run.
     """
 
     kind: str
@@ -73,6 +74,7 @@ class ProgramUse(LaunchFact):
     is_found: bool | None = None
     similar: tuple[str, ...] = ()
     is_library: bool = False
+    is_module: bool = False
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -39,7 +39,9 @@ class Programs:
     finder: Finder
     builds: Mapping[str, Build]
     known: Collection[tuple[str, str]]
-    _found: dict[tuple[str, str, str, int], tuple[bool | None, tuple[str, ...], bool]] = field(default_factory=dict)
+    _found: dict[tuple[str, str, str, int], tuple[bool | None, tuple[str, ...], bool, bool]] = field(
+        default_factory=dict
+    )
     _versions: dict[str, int | None] = field(default_factory=dict, init=False)
 
     def __post_init__(self) -> None:
@@ -48,9 +50,12 @@ class Programs:
     def completed(self, use: ProgramUse) -> ProgramUse:
         key = (use.kind, use.package, use.program, use.ros)
         if key not in self._found:
-            self._found[key] = self._look_up(use)
-        is_found, similar, is_library = self._found[key]
-        return replace(use, is_found=is_found, similar=similar, is_library=is_library)
+            is_found, similar, is_library = self._look_up(use)
+            build = self.builds.get(use.package)
+            running = _running_module(build, use) if build is not None and is_found is False and not is_library else ()
+            self._found[key] = is_found, running or similar, is_library, bool(running)
+        is_found, similar, is_library, is_module = self._found[key]
+        return replace(use, is_found=is_found, similar=similar, is_library=is_library, is_module=is_module)
 
     def _look_up(self, use: ProgramUse) -> tuple[bool | None, tuple[str, ...], bool]:
         build = self.builds.get(use.package)
@@ -171,6 +176,15 @@ def _files_of(build: Build) -> set[str]:
     """The programs that are no target: scripts, entry points, and files that are installed as such."""
     files = {posixpath.basename(path) for path in build.scripts} | {entry.name for entry in build.entry_points}
     return files | {one.name or posixpath.basename(one.path) for one in build.installed if one.kind == "program"}
+
+
+def _running_module(build: Build, use: ProgramUse) -> tuple[str, ...]:
+    """The console scripts, all of other names, that run the module of the package which is called like the program."""
+    if use.kind != "executable":
+        return ()
+    module = use.program.removesuffix(".py")
+    named = (entry.name for entry in build.entry_points if entry.path and entry.module.rpartition(".")[2] == module)
+    return tuple(sorted(set(named)))
 
 
 def _running(build: Build, library: str) -> tuple[str, ...]:
