@@ -58,16 +58,16 @@ def check(project: Project) -> Iterator[Finding]:
         reported: set[str] = set()
         is_open = may_have_more(package)
         for command in _in_force(package):
-            exported: list[str] = []
+            exported: dict[bool, list[str]] = {False: [], True: []}
             for name, what in _unknown(package, command, is_open):
                 if name not in reported:
                     reported.add(name)
                     if what == _NOT_FOUND:
-                        exported.append(name)
+                        exported[name in package.cmake.targets].append(name)
                     else:
                         yield _finding(package, command, (name,), what)
-            if exported:
-                yield _finding(package, command, tuple(exported), _NOT_FOUND)
+            for names in filter(None, exported.values()):
+                yield _finding(package, command, tuple(names), _NOT_FOUND)
             if command.name == "catkin_package":
                 yield from _dependencies(package, command)
 
@@ -184,19 +184,29 @@ def _dependencies(package: ProjectPackage, command: CMakeCommand) -> Iterator[Fi
 
 
 def _exported(package: ProjectPackage, words: tuple[str, ...]) -> Iterator[tuple[str, str]]:
-    """Exported libraries that are neither made here nor, by their names, those of the system."""
+    """Exported libraries that are neither made here nor, by their names, those of the system, and programs among them."""
     tokens = {token for token in re.split(r"[_-]", package.name) if len(token) > 2}
     if package.commands(*_OUTSIDE):
         return
     own = {target.output for target in package.cmake.targets.values() if target.kind in ("library", "interface")}
     linked = {link.word for links in package.cmake.links.values() for link in links}
     for name in words:
+        if _is_program(package, name) and name not in own | linked:
+            yield name, _NOT_FOUND
         if name in _SETTINGS or _is_made(package, name):
             continue
         if name in own:
             continue
         if name not in linked and (name.startswith(package.name) or tokens & set(re.split(r"[_-]", name))):
             yield name, _NOT_FOUND
+
+
+def _is_program(package: ProjectPackage, name: str) -> bool:
+    """Whether the package builds a program of that name in every build, which nothing can be linked with (``ENABLE_EXPORTS`` of cmake-properties(7))."""
+    target = package.cmake.targets.get(name)
+    if target is None or target.kind != "executable" or target.is_conditional or package.cmake.may_change(name):
+        return False
+    return package.cmake.written.isdisjoint(("ENABLE_EXPORTS", "CMAKE_ENABLE_EXPORTS"))
 
 
 def _needed(package: ProjectPackage, words: tuple[str, ...]) -> Iterator[tuple[str, str]]:
@@ -232,12 +242,14 @@ def _is_written(package: ProjectPackage, name: str) -> bool:
 def _finding(package: ProjectPackage, command: CMakeCommand, wrong: tuple[str, ...], what: str) -> Finding:
     """Of the names of one command that are *wrong*, of which several are exported libraries."""
     name = wrong[0]
-    is_only_exported = name in package.cmake.targets or command.name == "ament_export_dependencies"
-    message = (
-        f"{package.name} exports {name}"
-        if is_only_exported
-        else f"{command.name}(): {listed(wrong)} {'is not a target' if len(wrong) == 1 else 'are not targets'} of {package.name}"
-    )
+    if what == _NOT_FOUND and name in package.cmake.targets:
+        kind = "is a program" if len(wrong) == 1 else "are programs"
+        message = f"{command.name}(): {listed(wrong)} {kind} of {package.name}, and no {'library' if len(wrong) == 1 else 'libraries'}"
+    elif name in package.cmake.targets or command.name == "ament_export_dependencies":
+        message = f"{package.name} exports {name}"
+    else:
+        kind = "is not a target" if len(wrong) == 1 else "are not targets"
+        message = f"{command.name}(): {listed(wrong)} {kind} of {package.name}"
     is_used = what != _NOT_FOUND or is_built_against(package)
     if what == _NOT_FOUND:
         what = (_NOT_FOUND if is_used else _NOT_FOUND_LATER).format("library" if len(wrong) == 1 else "libraries")

@@ -603,6 +603,88 @@ def test_exported_libraries_that_are_not_built_fail_in_packages_that_are_built_a
 
 
 @pytest.mark.parametrize(
+    ("cmake", "level"),
+    [
+        ("catkin_package(CATKIN_DEPENDS demo)", Level.ERROR),
+        ("catkin_package(LIBRARIES user_a CATKIN_DEPENDS roscpp demo)", Level.ERROR),
+        ("catkin_package(DEPENDS demo)", Level.ERROR),
+        ("catkin_package(CATKIN_DEPENDS roscpp)\nfind_package(demo)", Level.ERROR),
+        ("catkin_package(LIBRARIES demo)", Level.WARNING),
+        ("catkin_package(INCLUDE_DIRS demo LIBRARIES demo CATKIN_DEPENDS roscpp)", Level.WARNING),
+        ("catkin_package(CATKIN_DEPENDS roscpp EXPORTED_TARGETS demo)", Level.WARNING),
+        ("catkin_package(CFG_EXTRAS demo)", Level.WARNING),
+        ("catkin_package()\nmessage(demo)", Level.WARNING),
+    ],
+)
+def test_a_library_that_another_package_exports_under_the_name_of_this_one_is_no_use_of_it(
+    tmp_path: Path, cmake: str, level: Level
+) -> None:
+    files = {
+        "demo/package.xml": ROS1,
+        "demo/CMakeLists.txt": "project(demo)\nfind_package(catkin REQUIRED)\ncatkin_package(INCLUDE_DIRS include LIBRARIES demo_a)\n",
+        "demo/include/demo/a.h": "int a();\n",
+        "user/package.xml": USER.format("<exec_depend>demo</exec_depend>"),
+        "user/CMakeLists.txt": f"project(user)\nfind_package(catkin REQUIRED)\n{cmake}\n",
+    }
+    check = next(check for check in checks() if check.id == "unknown-target")
+    found = [result for result in said(check, Example("", True, files), tmp_path) if result.subject[0] == "demo"]
+    assert [result.level for result in found] == [level]
+
+
+PROGRAM = "add_executable(walk a.cpp)\n"
+
+
+@pytest.mark.parametrize(
+    ("cmake", "told"),
+    [
+        ("catkin_package(LIBRARIES walk)\n" + PROGRAM, "walk is a program of demo, and no library: no package here is built against it yet; one that is will not find the library; LIBRARIES takes libraries, and the package builds none: remove the name"),
+        (PROGRAM + "catkin_package(LIBRARIES walk)\n", "remove the name"),
+        ("catkin_package(LIBRARIES ${PROJECT_NAME})\nadd_executable(${PROJECT_NAME} a.cpp)", "demo is a program of demo, and no library"),
+        (PROGRAM + "add_executable(run a.cpp)\ncatkin_package(LIBRARIES walk run)", "walk and run are programs of demo, and no libraries: no package here is built against it yet; one that is will not find the libraries; remove the names"),
+        (PROGRAM + "add_library(walks a.cpp)\ncatkin_package(LIBRARIES walk)", "; did you mean walks?"),
+        (PROGRAM + "add_library(walks a.cpp)\ncatkin_package(LIBRARIES walks walk)", "; LIBRARIES takes libraries: remove the name"),
+    ],
+)  # fmt: skip
+def test_programs_that_are_exported_as_libraries(tmp_path: Path, cmake: str, told: str) -> None:
+    files = {
+        "package.xml": ROS1,
+        "CMakeLists.txt": f"project(demo)\nfind_package(catkin REQUIRED)\n{cmake}\n",
+        "a.cpp": "int main() { return 0; }\n",
+    }
+    check = next(check for check in checks() if check.id == "unknown-target")
+    (result,) = said(check, Example("", True, files), tmp_path)
+    assert result.message.endswith(told) or (told.startswith("demo is") and told in result.message)
+
+
+@pytest.mark.parametrize(
+    "cmake",
+    [
+        PROGRAM + "catkin_package()",
+        "add_library(walk a.cpp)\ncatkin_package(LIBRARIES walk)",
+        "add_library(walk SHARED a.cpp)\nadd_executable(walk_node a.cpp)\ncatkin_package(LIBRARIES walk)",
+        PROGRAM + "add_library(walker a.cpp)\nset_target_properties(walker PROPERTIES OUTPUT_NAME walk)\ncatkin_package(LIBRARIES walk)",
+        PROGRAM + "set_target_properties(walk PROPERTIES ENABLE_EXPORTS TRUE)\ncatkin_package(LIBRARIES walk)",
+        PROGRAM + "set_property(TARGET walk PROPERTY ENABLE_EXPORTS ON)\ncatkin_package(LIBRARIES walk)",
+        "set(CMAKE_ENABLE_EXPORTS ON)\n" + PROGRAM + "catkin_package(LIBRARIES walk)",
+        PROGRAM + "add_library(run a.cpp)\ntarget_link_libraries(run walk)\ncatkin_package(LIBRARIES walk)",
+        "find_package(X)\nif(X_FOUND)\n" + PROGRAM + "else()\nadd_library(walk a.cpp)\nendif()\ncatkin_package(LIBRARIES walk)",
+        PROGRAM + "a_macro_of_somebody(walk)\ncatkin_package(LIBRARIES walk)",
+        PROGRAM + "add_custom_command(OUTPUT libwalk.so COMMAND make)\ncatkin_package(LIBRARIES walk)",
+        PROGRAM + "catkin_package(CATKIN_DEPENDS roscpp CFG_EXTRAS walk)",
+        PROGRAM + "catkin_package(LIBRARIES walk)\ncatkin_package()",
+    ],
+)  # fmt: skip
+def test_what_is_exported_may_be_a_library(tmp_path: Path, cmake: str) -> None:
+    files = {
+        "package.xml": PACKAGE.format("catkin", "roscpp", ""),
+        "CMakeLists.txt": f"project(demo)\nfind_package(catkin REQUIRED)\n{cmake}\n",
+        "a.cpp": "int main() { return 0; }\n",
+    }
+    check = next(check for check in checks() if check.id == "unknown-target")
+    assert not [result.message for result in said(check, Example("", True, files), tmp_path)]
+
+
+@pytest.mark.parametrize(
     ("cmake", "told"),
     [
         (

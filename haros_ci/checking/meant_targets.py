@@ -35,17 +35,31 @@ def target_hint(package: ProjectPackage, command: CMakeCommand, wrong: tuple[str
 def _hint(package: ProjectPackage, command: CMakeCommand, name: str) -> str:
     """What to write instead of *name*."""
     if name in package.cmake.targets:
-        return ""
+        return _hint_of_program(package, command, name) if _is_library(command, name) else ""
     near = _near(package, command, name)
     if near and command.name == "ament_export_dependencies" and _squeezed(near[0]) == _squeezed(name):
         return f"; write {near[0]}, as find_package() has it here"
     names = meant_targets(package, command, name)
     if _is_library(command, name) and not names and package.cmake.targets:
-        where = "LIBRARIES" if command.name == "catkin_package" else f"{command.name}()"
-        return f"; {where} takes libraries, and the package builds none: remove the name"
+        return f"; {_takes_libraries(command)}, and the package builds none: remove the name"
     if meant := alternatives(near):
         return f"; did you mean {meant}?"
     return "; correct the name, or remove it" if command.name == "ament_export_dependencies" else _instead(names)
+
+
+def _hint_of_program(package: ProjectPackage, command: CMakeCommand, name: str) -> str:
+    """What to write instead of the program *name* behind LIBRARIES: a library of the package that does not stand there."""
+    if package.cmake.targets[name].kind != "executable":
+        return ""
+    if not meant_targets(package, command, name):
+        return f"; {_takes_libraries(command)}, and the package builds none: remove the name"
+    meant = alternatives([library for library in _near(package, command, name) if library not in command.arguments])
+    return f"; did you mean {meant}?" if meant else f"; {_takes_libraries(command)}: remove the name"
+
+
+def _takes_libraries(command: CMakeCommand) -> str:
+    where = "LIBRARIES" if command.name == "catkin_package" else f"{command.name}()"
+    return f"{where} takes libraries"
 
 
 def _hint_of_several(package: ProjectPackage, command: CMakeCommand, wrong: tuple[str, ...]) -> str:
