@@ -51,6 +51,36 @@ def test_modules_of_which_pip_is_asked_for_a_version(path: str, text: str, expec
     assert levels("undeclared-import", files, tmp_path) == [expected]
 
 
+FROZEN = "numpy==1.22.1\nrclpy==3.3.21\nscipy==1.8.0\nstd-msgs==4.9.1\n"
+
+
+@pytest.mark.parametrize(
+    ("text", "readme", "expected"),
+    [
+        (FROZEN, "", Level.ERROR),
+        (FROZEN, "pip install -r requirements.txt", Level.ERROR),
+        (FROZEN.replace("rclpy", "rospy"), "", Level.ERROR),
+        ("scipy==1.8.0\nrclpy == 3.3\n", "", Level.ERROR),
+        (FROZEN.replace("rclpy", "rclpy-message-converter"), "", Level.NOTE),
+        ("scipy==1.8.0\n# rclpy==3.3.21 comes with ROS\n", "", Level.NOTE),
+        ("scipy==1.8.0\nrclpy\n", "", Level.NOTE),
+        ("scipy\nrclpy\n", "pip install -r requirements.txt", Level.NOTE),
+        ("--extra-index-url https://rospypi.github.io/simple/\n" + FROZEN.replace("rclpy", "rospy"), "", Level.NOTE),
+        ("-f https://example.org/wheels\n" + FROZEN, "pip install -r requirements.txt", Level.NOTE),
+        ("numpy==1.22.1\nscipy==1.8.0\nstd-msgs==4.9.1\n", "", Level.NOTE),
+    ],
+)
+def test_what_a_machine_with_ros_has_chooses_nothing(text: str, readme: str, expected: Level, tmp_path: Path) -> None:
+    files = {
+        "demo/package.xml": ROS2.replace("rclcpp", "rclpy"),
+        "demo/CMakeLists.txt": CMAKE.format("install(PROGRAMS n.py DESTINATION lib/demo)"),
+        "demo/n.py": "#!/usr/bin/env python3\nimport scipy\n",
+        "requirements.txt": text,
+        "README.md": readme,
+    }
+    assert levels("undeclared-import", files, tmp_path) == [expected]
+
+
 def messages(files: dict[str, str], tmp_path: Path) -> list[tuple[Level, str, tuple[str, ...]]]:
     check = next(check for check in checks() if check.id == "undeclared-import")
     found = said(check, Example("", True, files), tmp_path)

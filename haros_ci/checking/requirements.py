@@ -42,6 +42,10 @@ _REMARK = regex(r"^[ \t]*#[^\n]*", re.MULTILINE)
 _PIP_INSTALL = regex(r"\bpip[23]?[ \t]+install\b((?:[^\n;&|\\]|\\\n){0,400})")
 _REQUIREMENTS_FILE = regex(r"(?:-r|--requirement)[ \t=]{0,9}[\"']?([\w./${}~-]{1,200}\.(?:txt|in))")
 
+#: What ``pip freeze`` lists of a machine with ROS, and no index of packages has unless the file names another one: pip stops there.
+_OF_ROS = regex(r"^[ \t]*(?:rclpy|rospy)[ \t]{0,9}===?[ \t]{0,9}\d", re.MULTILINE | re.IGNORECASE)
+_INDEX = regex(r"^[ \t]*(?:-i|-f|--(?:extra-)?index-url|--find-links)[ \t=]", re.MULTILINE)
+
 _READMES = ("README.md", "README.rst", "README.txt", "README")
 #: A sentence, an item of a list, or a row of a table.
 _SENTENCE = regex(r"(?:[^\s.]|\.(?!\s)|[ \t]|\n(?!\s*(?:\n|[-*+|#]|\d+\.))){1,2000}")
@@ -123,7 +127,7 @@ def _listed(names: frozenset[str]) -> Mapping[str, tuple[str, ...]]:
 
 def _pins(path: str, text: str) -> Iterator[tuple[str, int]]:
     if path.endswith((".txt", ".in", ".cfg")):
-        yield from _matches(_LINE, text, 0, text)
+        yield from _matches(_LINE, text, 0, text) if not _is_frozen(text) else ()
         return
     yield from _matches(_QUOTED, text, 0, text)
     for part in _POETRY_PART.finditer(text) if path.endswith(".toml") else ():
@@ -173,7 +177,8 @@ def _named(package: ProjectPackage) -> dict[str, Location]:
         for path in _listed(names).get(folder, ()):
             text = project.text(path)[:_MAX]
             if path.endswith((".txt", ".in")):
-                pairs = _matches(_PLAIN, text, 0, text) if path.rpartition("/")[2] in installed else iter(())
+                is_installed = path.rpartition("/")[2] in installed and not _is_frozen(text)
+                pairs = _matches(_PLAIN, text, 0, text) if is_installed else iter(())
             else:
                 pairs = _depended(path, text) if is_own else iter(())
             for name, line in pairs:
@@ -181,6 +186,11 @@ def _named(package: ProjectPackage) -> dict[str, Location]:
         if not folder:
             return found
         folder, is_own = folder.rpartition("/")[0], False
+
+
+def _is_frozen(text: str) -> bool:
+    """Whether a file of requirements lists what somebody's machine has, packages of ROS among it: it chooses nothing, and pip cannot install it."""
+    return _OF_ROS.search(text) is not None and _INDEX.search(text) is None
 
 
 def _told(project: Project, folder: str) -> Iterator[tuple[str, Location]]:
