@@ -10,6 +10,9 @@ from haros_ci.model.location import Location
 from haros_ci.model.workspace import Problem
 from haros_ci.records import dataclass, field
 
+#: What the problems of a setup.py say whose list of installed files is not known.
+DATA_FILES = "data_files"
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Target:
@@ -261,6 +264,11 @@ class Build:
     are_python_packages_all: bool = False
     script_directories: tuple[tuple[str, str, int], ...] = ()
     written: tuple[WrittenFile, ...] = ()
+
+    @property
+    def computes_data_files(self) -> bool:
+        """Whether setup.py installs more than is known, as it makes a part of its ``data_files`` when it runs."""
+        return any(DATA_FILES in problem.message for problem in self.problems if problem.path.endswith("setup.py"))
 
     def programs(self) -> set[str]:
         """The names by which ``rosrun`` and ``ros2 run`` start what the package builds or installs."""

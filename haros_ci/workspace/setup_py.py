@@ -9,7 +9,7 @@ from collections import deque
 from collections.abc import Iterable
 from typing import Any
 
-from haros_ci.model.build import Distribution, EntryPoint, Installed, RefusedEntry
+from haros_ci.model.build import DATA_FILES, Distribution, EntryPoint, Installed, RefusedEntry
 from haros_ci.model.location import Location
 from haros_ci.model.package import Package
 from haros_ci.model.workspace import Problem
@@ -118,7 +118,8 @@ class _SetupReader:
                 self.entries(node.value)
             self.names[name] = self.value(node.value)
             known = self.nodes.get(name, [])
-            parts = summands(node.value)
+            is_given = isinstance(node.value, ast.Call) and any(dotted(item) == name for item in node.value.args)
+            parts = [*known, node.value] if is_given else summands(node.value)  # a function that adds to its list
             self.nodes[name] = [p for part in parts for p in (known if dotted(part) == name else [part])][:MAX_ITEMS]
 
     def grown(self, call: ast.Call) -> None:
@@ -244,14 +245,14 @@ class _SetupReader:
         found: list[Installed] = []
         for pair in [] if node is None else self.elements(node):
             if isinstance(pair, (ast.Call, ast.Name)) and self.package.ros != 1:
-                self.problem(pair, "data_files")
+                self.problem(pair, DATA_FILES)
             if not isinstance(pair, (ast.Tuple, ast.List)) or len(pair.elts) != 2:
                 continue
             destination = self.value(pair.elts[0])
             if not isinstance(destination, str):
-                self.problem(pair, "a destination in data_files")
+                self.problem(pair, f"a destination in {DATA_FILES}")
                 continue
-            paths = [self.inner(word) for word in self.files(pair.elts[1], "a list in data_files")]
+            paths = [self.inner(word) for word in self.files(pair.elts[1], f"a list in {DATA_FILES}")]
             kind = "program" if destination.strip("/") == f"lib/{self.package.name}" else "file"
             destination = tidy(destination.lstrip("/"))
             found += [self.put(path, kind, destination, pair, keeps_mode=True) for path in paths if path is not None]
@@ -266,10 +267,10 @@ class _SetupReader:
         parts = summands(node) if isinstance(node, ast.BinOp) else self.nodes.get(dotted(node), [])
         if parts in ([], [node]) or depth > MAX_NESTED or self.looked > MAX_ITEMS:
             if self.package.ros != 1:
-                self.problem(node, "data_files")
+                self.problem(node, DATA_FILES)
             return []
         if dotted(node) in self.filled and self.package.ros != 1:
-            self.problem(node, "data_files")
+            self.problem(node, DATA_FILES)
         return [item for part in parts for item in self.elements(part, depth + 1)]
 
     def starred(self, node: ast.Starred, depth: int) -> list[ast.expr]:

@@ -88,6 +88,38 @@ def test_installed(text: str, rows: list[tuple[str, str, str, str]]) -> None:
     assert [(i.path.removeprefix("pkgs/arm/"), i.kind, i.destination, i.name) for i in found] == rows
 
 
+GROWN = """
+from glob import glob
+import os
+files = []
+files.append(("share/arm", glob("launch/*.launch.py", recursive=True)))
+def more(directory, files):
+    for path, _, names in os.walk(directory):
+        for name in names:
+            files.append(("share/arm/" + path, [os.path.join(path, name)]))
+    return files
+{}
+setup(data_files=files)
+"""
+
+
+@pytest.mark.parametrize(
+    ("line", "paths"),
+    [
+        ("files = more('bin/', files)", ["launch/a.launch.py", "launch/b.launch.py"]),
+        ("files = more('bin/', files)\nfiles = more('src/', files)", ["launch/a.launch.py", "launch/b.launch.py"]),
+        ("files = more('bin/', files)\nfiles.append(('x', ['bin/tool']))", ["launch/a.launch.py", "launch/b.launch.py", "bin/tool"]),
+        ("files = more('bin/', [])", []),
+        ("files = [('x', ['bin/tool'])]", ["bin/tool"]),
+        ("files = other", []),
+    ],
+)  # fmt: skip
+def test_a_list_that_a_function_adds_to_keeps_what_it_has(line: str, paths: list[str]) -> None:
+    found = read("#bad" + GROWN.format(line))
+    assert [one.path.removeprefix("pkgs/arm/") for one in found.installed] == paths
+    assert any(problem.message.startswith("data_files is computed") for problem in found.problems)
+
+
 @pytest.mark.parametrize(
     ("text", "rows"),
     [

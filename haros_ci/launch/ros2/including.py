@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from haros_ci.launch.facts import includes, ros2
 from haros_ci.launch.ros2.context import Context
 from haros_ci.launch.ros2.outside import include_known
+from haros_ci.launch.ros2.places import BY_SETUP
 from haros_ci.model.architecture import Condition
 from haros_ci.model.launch_actions import Action, Description
 from haros_ci.substitutions.names import MARK, quoted, unknown
@@ -37,6 +38,10 @@ def include(run: LaunchEvaluation, action: Action, conditions: tuple[Condition, 
         return
     if place.path is None:
         includes.lost(context, action, file, f"includes {quoted(file.raw)}: {place.reason}; what it starts is unknown")
+        return
+    if not context.places.files.has(place.path) and context.places.may_be_installed(place.path):
+        message = f"includes {place.path}, which {BY_SETUP}; what it starts is unknown"
+        includes.lost(context, action, file, message)
         return
     if not context.places.files.has(place.path):
         message = f"includes {place.path}, which is not in the workspace; correct the path"

@@ -17,6 +17,8 @@ from haros_ci.substitutions.files import Files, Place, files_of
 from haros_ci.substitutions.names import Text, quoted
 
 _START = regex(r"\$\((find-pkg-share|find-pkg-prefix|workspace) ([^\s()]+)\)(.*)\Z", re.DOTALL)
+#: Why a file is not known that the package has elsewhere.
+BY_SETUP = "setup.py may install, as it computes data_files when it runs"
 #: How many paths are remembered with what they lead to.
 MAX_FOUND = 10_000
 
@@ -90,8 +92,24 @@ class Places:
         if place.path is None:
             return None, "", place.reason
         if not self.files.has(place.path):
-            return None, "", f"{quoted(place.path)} {self.files.why_not(place.path)}"
+            is_hidden = self.may_be_installed(place.path)
+            reason = f"is what {BY_SETUP}" if is_hidden else self.files.why_not(place.path)
+            return None, "", f"{quoted(place.path)} {reason}"
         return place.path, self.workspace.text(place.path), ""
+
+    def may_be_installed(self, path: str) -> bool:
+        """Whether setup.py may put another file of the package around *path* there: one of the name, by ``data_files`` that are computed when it runs."""
+        around = (
+            name for name, start in self.files.directories.items() if start == "." or path.startswith(f"{start}/")
+        )
+        name = max(around, key=lambda name: len(self.files.directories[name]), default="")
+        build = self.builds.get(name)
+        if build is None or not build.computes_data_files:
+            return False
+        start, base = self.files.directories[name], posixpath.basename(path)
+        prefix = "" if start == "." else f"{start}/"
+        names = self.workspace.names | self.files.listed
+        return any(other.startswith(prefix) and posixpath.basename(other) == base for other in names)
 
     def _installed(self, package: str, inside: str) -> Place | None:
         """What the build of *package* installs as *inside*, a path below the prefix; None if it does not say."""

@@ -8,8 +8,10 @@ from launching_kit import HERE, MAIN, launch, loader, names, node, only, perform
 
 from haros_ci.launch.ros2.evaluate import launch_system
 from haros_ci.launch.ros2.places import Places
+from haros_ci.model.build import Build
 from haros_ci.model.launch_actions import Action, Description, LaunchContext, Performed, Substitution
 from haros_ci.model.launch_actions import Test as Asked
+from haros_ci.model.workspace import Problem
 
 ARG = '<arg name="a" default="x"/>'
 
@@ -155,6 +157,19 @@ def test_includes_that_lead_nowhere_are_reported(file: str, message: str) -> Non
     assert len(told(system)) == 1
     assert message in told(system)[0]
     assert names(system) == ["- n"]
+
+
+def test_an_include_that_setup_py_may_install_from_elsewhere() -> None:
+    build = Build(package="bot", problems=(Problem("bot/setup.py", "data_files is computed when setup.py runs", 3),))
+    body = '<include file="$(find-pkg-share bot)/{}.launch.xml"/>' + node()
+    (message,) = told(launch(body.format("part"), {PART: "<launch/>"}, builds={"bot": build}))
+    assert message == (
+        "includes bot/part.launch.xml, which setup.py may install, as it computes data_files when it runs; "
+        "what it starts is unknown"
+    )
+    for name, builds in (("gone", {"bot": build}), ("part", {"bot": Build(package="bot")}), ("part", {})):
+        (message,) = told(launch(body.format(name), {PART: "<launch/>"}, builds=builds))
+        assert message == f"includes bot/{name}.launch.xml, which is not in the workspace; correct the path"
 
 
 def test_endless_includes_end() -> None:
