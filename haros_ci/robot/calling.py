@@ -10,6 +10,7 @@ from itertools import islice
 from typing import Any
 
 from haros_ci.model.slips import equally_near
+from haros_ci.model.workspace import Problem
 from haros_ci.robot.evaluating import Evaluating
 from haros_ci.robot.expressions import Invalid, Undefined
 from haros_ci.robot.nodes import XmlNode
@@ -20,6 +21,8 @@ from haros_ci.robot.unknown import UNKNOWN, UnknownValue
 #: Of so many names those are looked for that a name may be meant for, and of so many characters.
 MAX_KNOWN = 1_000
 MAX_NAME = 100
+#: Calls of a macro in itself that are followed although it is not known whether they are made.
+MAX_OPEN = 3
 
 
 class Calling(Evaluating):
@@ -28,6 +31,8 @@ class Calling(Evaluating):
     def __init__(self, sources: DescriptionSources, path: str, arguments: dict[str, str | UnknownValue]) -> None:
         super().__init__(sources, path, arguments)
         self.is_whole = True
+        #: The macros that are called around what is expanded, with how many unknown conditions are around each call.
+        self.active: list[tuple[XacroMacro, int]] = []
 
     def content(self, node: XmlNode, macros: Macros, scope: XacroScope, into: XmlNode) -> None:
         """Evaluate the attributes and the text of *node*, and what is in it, *into* an element that comes out."""
@@ -77,10 +82,23 @@ class Calling(Evaluating):
             inner.put(key, self._default(key, macro, scope, node), lazy=False, location=node.location)
         if missing:
             self.fault("parameter", " ".join(missing), node, of=macro.name)
+        if self._is_open_recursion(macro):
+            message = f"the macro {macro.name} calls itself, and how often is not known; what it makes then is missing"
+            self.sources.problems.setdefault(self.path, Problem(self.path, message))
+            self.is_whole = False
+            self.world.is_open = True
+            return
         before = self.way
         self.way = (*self.way, (node.location, f"calls the macro {macro.name}"))
+        self.active.append((macro, self.world.maybe))
         self.inside(macro.body, Macros(self.world, around), inner, into)
+        self.active.pop()
         self.way = before
+
+    def _is_open_recursion(self, macro: XacroMacro) -> bool:
+        """Whether *macro* has called itself some times, each under one more condition that is not known."""
+        doubts = {maybe for other, maybe in self.active if other.body is macro.body}
+        return len(doubts) > MAX_OPEN and self.world.maybe > max(doubts)
 
     def _blocks(
         self, node: XmlNode, blocks: list[XmlNode], left: list[str], macro: XacroMacro, inner: XacroScope

@@ -49,6 +49,8 @@ class Evaluating:
         self.environment: Mapping[str, str] = {}
         self.world = XacroGlobals(self.text, self._offers())
         self._loaded: dict[str, Any] = {}
+        #: Whether what is read changes lists: each load of a file gives lists of its own then.
+        self.changes_lists = False
 
     def spend(self, steps: int) -> None:
         """TooMuch once the steps are used up."""
@@ -201,7 +203,7 @@ class Evaluating:
         located = self.sources.locate(name, self.file)
         if located.path is None:
             raise NotFollowed
-        if located.path not in self._loaded:
+        if located.path not in self._loaded or self.changes_lists:
             text = self.sources.text(located.path)
             self.spend(len(text) // 4)
             self._loaded[located.path] = yaml_value(text, self._number) if text else UNKNOWN

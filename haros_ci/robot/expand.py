@@ -13,8 +13,9 @@ from typing import Any
 from haros_ci.model.robot import Fault
 from haros_ci.model.workspace import Problem
 from haros_ci.records import dataclass
+from haros_ci.regex import regex
 from haros_ci.robot.calling import Calling
-from haros_ci.robot.functions import TooMuch
+from haros_ci.robot.functions import CHANGING, TooMuch
 from haros_ci.robot.legacy import LEGACY, fits, is_call
 from haros_ci.robot.nodes import XmlNode
 from haros_ci.robot.scopes import Macros, XacroMacro, XacroScope
@@ -24,6 +25,8 @@ from haros_ci.robot.unknown import UNKNOWN, UnknownValue
 
 MAX_DEPTH = 180
 GIVEN_UP = "not expanded to its end: it takes more steps than a description needs. Look for macros, lists or includes that repeat without end"
+
+_CHANGES = regex(rf"\.(?:{'|'.join(sorted(CHANGING))})[ \t]*\(")
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,6 +81,7 @@ class Expansion(Calling):
         source = self.sources.read(self.path)
         if source is None:
             return Expanded(None, (), (self.path,), (), False)
+        self.looked_at(self.path)
         if self.path.endswith(".urdf") and "xmlns:xacro" not in source.attributes:
             return Expanded(source, (), (self.path,), (), True)  # none that xacro is run on
         root = replace(source, children=[], attributes={})
@@ -87,6 +91,10 @@ class Expansion(Calling):
             self.give_up()
         whole = self.is_whole and not self.world.is_open
         return Expanded(root, self._told(), tuple(self.files), tuple(self.defined), whole)
+
+    def looked_at(self, path: str) -> None:
+        """Note whether the file at *path* changes lists."""
+        self.changes_lists = self.changes_lists or _CHANGES.search(self.sources.text(path)) is not None
 
     def give_up(self) -> None:
         """What was found stands, but nothing is certain any more."""
@@ -289,6 +297,7 @@ class Expansion(Calling):
             self.world.is_open = True
             return
         self.files[path] = None
+        self.looked_at(path)
         before = self.file, self.way
         self.file, self.way = path, (*self.way, (node.location, f"includes {path}"))
         self.inside(source, macros, scope, into)

@@ -11,7 +11,7 @@ from typing import Any, ClassVar, Protocol
 from haros_ci.bounded_python import language, limits
 from haros_ci.bounded_python.evaluation import Evaluation
 from haros_ci.bounded_python.limits import weight
-from haros_ci.robot.functions import LIMITS, Module, NotFollowed, TooMuch, method
+from haros_ci.robot.functions import CHANGING, LIMITS, Function, Module, NotFollowed, TooMuch, change, method
 from haros_ci.robot.unknown import UNKNOWN, UnknownValue
 from haros_ci.robot.yaml_values import YamlDict
 
@@ -30,6 +30,35 @@ class Invalid(Exception):
     """An expression or a text that xacro refuses, or that is not followed here: its value is not known."""
 
 
+class Lists:
+    """The lists of one expansion that expressions may change, by their identity: where each was first held, and those that are not known any more."""
+
+    def __init__(self) -> None:
+        self._held: dict[int, tuple[list[Any], int]] = {}
+        self._lost: dict[int, list[Any]] = {}
+
+    def hold(self, value: object, depth: int) -> None:
+        """*value* is that of a property, *depth* unknown conditions deep."""
+        if isinstance(value, list):
+            known = self._held.get(id(value), (value, depth))[1]
+            self._held[id(value)] = value, min(known, depth)
+
+    def may_change(self, value: list[Any], depth: int) -> bool:
+        """Whether a change that is *depth* unknown conditions deep is made for certain wherever the list is seen."""
+        return depth == 0 or self._held.get(id(value), (value, 0))[1] >= depth
+
+    def lose(self, value: list[Any]) -> None:
+        """Nobody knows what is in the list from now on."""
+        self._lost[id(value)] = value
+
+    def keep(self, value: list[Any]) -> None:
+        self._lost.pop(id(value), None)
+
+    def known(self, value: Any) -> Any:
+        """*value*, UNKNOWN if it is a list that is lost."""
+        return UNKNOWN if id(value) in self._lost else value
+
+
 class ExpressionNames(Protocol):
     """What an expression asks for names."""
 
@@ -38,6 +67,13 @@ class ExpressionNames(Protocol):
         ...
 
     def member(self, name: str) -> Any: ...
+
+    @property
+    def lists(self) -> Lists: ...
+
+    def may_change(self, value: list[Any]) -> bool:
+        """Whether an expression may change the list here."""
+        ...
 
 
 def parsed(text: str) -> ast.expr | None:
@@ -104,12 +140,28 @@ class _Xacro(language.Language):
             return owner.get(name, UNKNOWN)
         if hasattr(owner, "member"):
             return owner.member(name)
+        if isinstance(owner, list) and name in CHANGING:
+            return self._changing(owner, name)
         found = method(owner, name)
         if found is not None:
             return found
         if isinstance(owner, YamlDict) and not hasattr(dict, name):
-            return owner[name]
+            return self.names.lists.known(owner[name])
         raise NotFollowed
+
+    def _changing(self, owner: list[Any], name: str) -> Function:
+        """A method that changes the list *owner*, which is not known until that is done."""
+        lists = self.names.lists
+        lists.lose(owner)
+        if not self.names.may_change(owner):
+            raise NotFollowed
+
+        def changed(*received: Any) -> Any:
+            result = change(owner, name, received)
+            lists.keep(owner)
+            return result
+
+        return Function(name, changed)
 
     def is_unknown(self, value: Any) -> bool:
         """As ``is_open``, for the steps that it takes."""
@@ -126,4 +178,4 @@ class _Xacro(language.Language):
     def item(self, owner: Any, index: Any) -> Any:
         if not isinstance(index, slice) and not isinstance(owner, (str, list, tuple, dict, range)):
             raise NotFollowed
-        return owner[index]
+        return self.names.lists.known(owner[index])

@@ -14,6 +14,7 @@ from haros_ci.bounded_python.limits import Limits, Module, NotFollowed, TooMuch,
 
 __all__ = [
     "BUILTINS",
+    "CHANGING",
     "LIMITS",
     "MATH",
     "METHODS",
@@ -23,6 +24,7 @@ __all__ = [
     "Module",
     "NotFollowed",
     "TooMuch",
+    "change",
     "method",
     "tokenize",
 ]
@@ -99,6 +101,20 @@ METHODS: Mapping[type, frozenset[str]] = {
     int: frozenset(("bit_length",)),
     float: frozenset(("is_integer",)),
 }
+
+
+#: The methods that change a list where it is.
+CHANGING = frozenset(("append", "clear", "extend", "insert", "pop", "remove", "reverse"))
+
+
+def change(values: list[Any], name: str, received: tuple[Any, ...]) -> Any:
+    """What a method of CHANGING does to a list. It may get no lists itself, which might hold it, and no more than a value may hold."""
+    added = items(received[0]) if name == "extend" and len(received) == 1 else received
+    if any(isinstance(item, (list, tuple, dict, set)) for item in added):
+        raise NotFollowed
+    if len(values) + len(added) > LIMITS.size:
+        raise TooMuch
+    return getattr(list, name)(values, *received)
 
 
 def method(value: object, name: str) -> Function | None:

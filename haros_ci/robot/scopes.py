@@ -8,7 +8,7 @@ from typing import Any
 
 from haros_ci.model.location import Location
 from haros_ci.records import dataclass, field
-from haros_ci.robot.expressions import Invalid, Undefined
+from haros_ci.robot.expressions import Invalid, Lists, Undefined
 from haros_ci.robot.functions import BUILTINS, MATH, PYTHON_MODULE, Module
 from haros_ci.robot.nodes import XmlNode
 from haros_ci.robot.texts import literal
@@ -36,6 +36,7 @@ class XacroGlobals:
     chain: int = 0
     #: Every name of a property that is set anywhere.
     ever: set[str] = field(default_factory=set)
+    lists: Lists = field(default_factory=Lists)
 
 
 class XacroScope:
@@ -57,6 +58,7 @@ class XacroScope:
             before = self.entries.get(name)
             if before is None or before.value != value:
                 value = UNKNOWN
+        self.lists.hold(value, self.maybe)
         self.entries[name] = _Entry(value, lazy and isinstance(value, str), location)
 
     def remove(self, name: str) -> None:
@@ -112,6 +114,14 @@ class XacroScope:
             return UNKNOWN
         raise Undefined("property", name)
 
+    @property
+    def lists(self) -> Lists:
+        return self.world.lists
+
+    def may_change(self, value: list[Any]) -> bool:
+        """Whether an expression may change the list here: no unknown condition that began after it was made decides whether it does."""
+        return self.lists.may_change(value, self.world.maybe)
+
     def member(self, name: str) -> Any:
         """``namespace.name`` inside an expression."""
         return self.look_up(name)
@@ -126,7 +136,7 @@ class XacroScope:
         """The value, evaluated where the property is defined when it is first asked for."""
         entry = self.entries[name]
         if not entry.is_lazy:
-            return entry.value
+            return self.lists.known(entry.value)
         if entry.is_open or self.world.chain > MAX_CHAIN:
             raise Invalid(f"the property {name} is defined by itself")
         entry.is_open = True
@@ -140,6 +150,7 @@ class XacroScope:
             entry.is_open = False
             self.world.chain -= 1
         entry.value, entry.is_lazy = value, False
+        self.lists.hold(value, self.maybe)
         return value
 
 

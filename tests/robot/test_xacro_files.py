@@ -9,7 +9,7 @@ import pytest
 
 from haros_ci.model.environment import Environment
 from haros_ci.model.robot import Robot
-from haros_ci.robot.expand import expand
+from haros_ci.robot.expand import GIVEN_UP, expand
 from haros_ci.robot.sources import DescriptionSources, by_names
 from haros_ci.robot.unknown import UNKNOWN
 from haros_ci.robot.urdf import read_robot
@@ -102,6 +102,83 @@ def test_what_comes_out(tmp_path: Path, body: str, expected: list[str]) -> None:
 def test_what_is_wrong(tmp_path: Path, body: str, kind: str, name: str) -> None:
     found = [(fault.kind, fault.name) for fault in read(tmp_path, body).faults if fault.certain]
     assert found == [(kind, name)]
+
+
+LOOP = (
+    "<xacro:macro name='m' params='l:=^'><xacro:if value='${l}'><xacro:property name='i' value='${l.pop(0)}'/><link name='${i}'/>"
+    "<xacro:m/></xacro:if></xacro:macro>"
+)
+PASSED = LOOP.replace("<xacro:m/>", "<xacro:m l='${l}'/>")
+CASES = "<xacro:property name='y' value=\"${xacro.load_yaml('y.yaml')}\"/>"
+ABC = "<xacro:property name='l' value=\"${['a', 'b', 'c']}\"/>"
+
+
+@pytest.mark.parametrize(
+    ("body", "expected"),
+    [
+        (LOOP + "<xacro:m l=\"${['a', 'b']}\"/>", ["a", "b"]),
+        (PASSED + "<xacro:m l=\"${['a', 'b']}\"/>", ["a", "b"]),
+        (LOOP.replace("pop(0)", "pop()") + "<xacro:m l=\"${['a', 'b']}\"/>", ["b", "a"]),
+        (LOOP + "<xacro:m l='${[]}'/><link name='x'/>", ["x"]),
+        (LOOP + ABC + "<xacro:m/><xacro:m/><link name='${len(l)}'/>", ["a", "b", "c", "0"]),
+        (LOOP + ABC + "<xacro:m l='${list(l)}'/><link name='${len(l)}'/>", ["a", "b", "c", "3"]),
+        (LOOP + "<xacro:macro name='o' params='l'><xacro:m/></xacro:macro><xacro:o l=\"${['a', 'b']}\"/>", ["a", "b"]),
+        (LOOP + CASES + "<xacro:m l='${y.c}'/><link name='${len(y.c)}'/>", ["u", "v", "0"]),
+        (LOOP + CASES + CASES.replace("'y'", "'z'", 1) + "<xacro:m l='${y.c}'/><link name='${len(z.c)}'/>", ["u", "v", "2"]),
+        (ABC + "<xacro:property name='i' value='${l.pop(0)}'/><link name='${l[0]}'/><link name='${i}${i}'/><link name='${l[0]}'/>", ["a", "aa", "b"]),
+        (ABC + "<link name='${l.append(1)}${len(l)}'/><link name='${l.remove(1)}${l.reverse()}${l[0]}'/>", ["None4", "NoneNonec"]),
+        (ABC + "<link name=\"${l.insert(0, 'x')}\"/><link name=\"${l.extend(['y'])}${l[0]}${l[-1]}\"/><link name='${l.clear()}${l}'/>", ["None", "Nonexy", "None[]"]),
+    ],
+)  # fmt: skip
+def test_lists_that_are_changed(tmp_path: Path, body: str, expected: list[str]) -> None:
+    robot = read(tmp_path, body, y__yaml="c: [u, v]")
+    assert links(robot) == expected
+    assert not robot.faults
+
+
+@pytest.mark.parametrize(
+    ("body", "known"),
+    [
+        # what an unknown condition changes may be changed or not
+        (ABC + "<xacro:if value='$(env A)'><link name='${l.pop(0)}'/></xacro:if><link name='${l[0]}'/>", []),
+        (ABC + "<xacro:if value='$(env A)'><link name='${l.clear()}'/></xacro:if><link name='${l.pop()}'/><link name='${l[7]}'/>", []),
+        (CASES + "<xacro:if value='$(env A)'><link name='${y.c.pop()}'/></xacro:if><link name='${y.c[1]}'/>", []),
+        (LOOP + ABC + "<xacro:if value='$(env A)'><xacro:m/></xacro:if><link name='${l[0]}'/>", []),
+        # inside of it everything is as it is
+        (LOOP + "<xacro:if value='$(env A)'><xacro:m l=\"${['a', 'b']}\"/></xacro:if>", ["a", "b"]),
+        (LOOP + "<xacro:macro name='o' params='l'><xacro:m/></xacro:macro><xacro:if value='$(env A)'><xacro:o l=\"${['a']}\"/></xacro:if>", ["a"]),
+        # what is added is not known, or may hold the list itself
+        (ABC + "<xacro:property name='q' value='$(env A)'/><link name='${l.append(q)}'/><link name='${l[0]}'/>", []),
+        (ABC + "<link name='${l.append(l)}'/><link name='${l[0]}'/>", []),
+        (ABC + "<link name='${l.sort()}'/><link name='x'/>", ["x"]),
+        # nobody knows how often it goes on
+        (LOOP + "<xacro:m l='$(env A)'/><link name='x'/>", ["x"]),
+        (LOOP + "<xacro:m l='${A.b}'/><xacro:include filename='$(env A)'/><link name='x'/>", ["x"]),
+    ],
+)  # fmt: skip
+def test_lists_that_may_be_changed(tmp_path: Path, body: str, known: list[str]) -> None:
+    robot = read(tmp_path, body, y__yaml="c: [u, v]")
+    assert [name for name in links(robot) if name is not None] == known
+    assert not [fault for fault in robot.faults if fault.certain and fault.kind != "property"]
+
+
+def test_a_recursion_that_is_not_known_is_no_endless_one(tmp_path: Path) -> None:
+    (tmp_path / "package.xml").write_text(MANIFEST)
+    texts = {
+        "open": LOOP + "<xacro:m l='$(env A)'/><link name='x'/>",
+        "both": "<xacro:macro name='m'><xacro:if value='$(env A)'><xacro:m/><xacro:m/></xacro:if></xacro:macro><xacro:m/>",
+        "endless": LOOP.replace(".pop", ".count") + "<xacro:m l='${[1]}'/>",
+        "ends": LOOP + "<xacro:m l='${[1]}'/>",
+    }
+    said = {}
+    for name, text in texts.items():
+        (tmp_path / f"{name}.xacro").write_text(f"{HEAD}{text}</robot>")
+        workspace = discover(tmp_path, (".",))
+        sources = DescriptionSources(workspace, by_names(workspace))
+        expand(sources, f"{name}.xacro", {})
+        said[name] = [problem.message for problem in sources.problems.values()]
+    open_one = ["the macro m calls itself, and how often is not known; what it makes then is missing"]
+    assert said == {"open": open_one, "both": open_one, "endless": [GIVEN_UP], "ends": []}
 
 
 @pytest.mark.parametrize(
@@ -207,6 +284,8 @@ def test_the_first_bytes_of_a_mesh(tmp_path: Path) -> None:
         + "<link name='${a11}'/>",
         "".join(f"<xacro:property name='p{i}' value='${{p{i + 1}}}'/>" for i in range(900)) + "<link name='${p0}'/>",
         "<a>" * 90 + "</a>" * 90,
+        "<xacro:property name='l' value='${[1]}'/><xacro:macro name='m'><a b='${l.append(1)}'/><xacro:m/><xacro:m/></xacro:macro><xacro:m/>",
+        "<xacro:property name='l' value='${[1]}'/><xacro:macro name='m'><a b='${l.extend(list(l))}'/><xacro:m/></xacro:macro><xacro:m/>",
         "<xacro:macro name='m' params='n'>"
         + "<xacro:if value='${n}'><xacro:m n='${n - 1}'/><xacro:m n='${n - 1}'/></xacro:if></xacro:macro><xacro:m n='40'/>",
     ],
