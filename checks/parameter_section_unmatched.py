@@ -6,9 +6,15 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from haros_ci.api import Check, Finding, Level, Location, System, SystemNode, is_slip, regex
+from haros_ci.api import Check, Finding, Level, Location, System, SystemNode, is_slip, listed, regex
 from haros_ci.api.launch import NodePattern, ParameterFileUse
 
+#: A section of a parameter file, and so much of one is looked at.
+_SECTION = regex(
+    r"^[\"']?([\w/*]{1,200})[\"']?:[ \t]*(?:#[^\n]*)?\n(?:[ \t]*(?:#[^\n]*)?\n){0,50}[ \t]+[\"']?ros__parameters[\"']?[ \t]*:",
+    re.MULTILINE,
+)
+_LONG = 100_000
 #: What a program of Python has.
 _STARTS = regex(r"\A#!|^if[ \t(]+__name__[ \t]*==", re.MULTILINE)
 
@@ -21,7 +27,8 @@ def check(system: System) -> Iterator[Finding]:
     for path, uses in sorted(here.items()):
         unserved = [use for use in uses if _is_unserved(use)]
         if unserved:
-            yield from _of_file(system, unserved, (*uses, *system.whole.parameter_files.get(path, ())))
+            found = list(_of_file(system, unserved, (*uses, *system.whole.parameter_files.get(path, ()))))
+            yield from found or _of_others(system, unserved)
 
 
 def _of_file(system: System, unserved: list[ParameterFileUse], uses: tuple[ParameterFileUse, ...]) -> Iterator[Finding]:
@@ -53,6 +60,42 @@ def _of_file(system: System, unserved: list[ParameterFileUse], uses: tuple[Param
                     ),
                     presence=use.presence,
                 )
+
+
+def _of_others(system: System, unserved: list[ParameterFileUse]) -> Iterator[Finding]:
+    """Nodes that are given a file for others alone, where the file beside it that is for them is given to nobody of that name."""
+    given = system.facts(ParameterFileUse)
+    for use in unserved:
+        own = [other for other in given if other.node == use.node and other.program == use.program]
+        if use.node is None or "?" in use.node or not all(_is_unserved(other) for other in own):
+            continue
+        meant = _beside(system, use)
+        if meant is None or any(other.program == use.program for other in system.whole.parameter_files.get(meant, ())):
+            continue
+        others = listed([f"{pattern.pattern}" for pattern in use.patterns])
+        yield Finding(
+            at=use.location,
+            message=(
+                f"{use.node} is given {use.path}, which is for {others} alone, and gets none of its parameters: {meant} has a section of "
+                "that name; write that file"
+            ),
+            about=(use.node, "/".join(use.program), str(use.path)),
+            presence=use.presence,
+        )
+
+
+def _beside(system: System, use: ParameterFileUse) -> str | None:
+    """The one parameter file in the directory of the one that is given which has a section for the node; None without one, or with several."""
+    folder = str(use.path).rpartition("/")[0]
+    if system.workspace is None or use.node is None:
+        return None
+    found = []
+    for path in sorted(system.workspace.names):
+        if path.rpartition("/")[0] == folder and path != use.path and path.endswith((".yaml", ".yml")):
+            sections = _SECTION.findall(system.workspace.text(path)[:_LONG])
+            if any(_fits(section, use.node) for section in sections if "*" not in section):
+                found.append(path)
+    return found[0] if len(found) == 1 else None
 
 
 def _key(pattern: NodePattern) -> tuple[str, Location]:

@@ -104,3 +104,71 @@ def test_a_section_for_another_program(script: dict[str, str], is_named: bool, t
     words = "is another program than relay.py, and gets none of these parameters; start relay.py with this file, or take the file from /front_driver"
     told = message(section("relay", "turbo"), tmp_path, {"driver.py": VAGUE, **script})
     assert told.endswith(words if is_named else f"{RENAMED}relay")
+
+
+TWO = (
+    '<launch><node pkg="demo" exec="driver.py" name="{}">{}</node>'
+    '<node pkg="demo" exec="relay.py" name="relay"><param from="$(find-pkg-share demo)/config/relay.yaml"/></node></launch>\n'
+)
+FROM = '<param from="$(find-pkg-share demo)/config/{}"/>'
+RELAY_NODE = DRIVER.replace("Driver", "Relay").replace("driver", "relay")
+
+
+def messages(tmp_path: Path, launch: str, **files: str) -> list[str]:
+    check = next(check for check in checks() if check.id == "parameter-section-unmatched")
+    everything = {
+        "package.xml": MANIFEST,
+        "CMakeLists.txt": CMAKE.replace("driver.py", "driver.py relay.py"),
+        "driver.py": DRIVER,
+        "relay.py": RELAY_NODE,
+        "config/relay.yaml": section("relay", "max_speed"),
+        "config/driver.yaml": section("driver", "max_speed"),
+        "launch/all.launch.xml": launch,
+        **{f"config/{name}.yaml": text for name, text in files.items()},
+    }
+    return [result.message for result in said(check, Example("", True, everything), tmp_path)]
+
+
+@pytest.mark.parametrize(
+    ("launch", "files", "words"),
+    [
+        (TWO.format("driver", FROM.format("relay.yaml")), {}, "/driver is given config/relay.yaml, which is for relay alone, and gets none of its parameters: config/driver.yaml has a section of that name; write that file"),
+        (TWO.format("front", FROM.format("relay.yaml")), {"driver": section("/front", "max_speed")}, "config/driver.yaml has a section of that name"),
+        (TWO.format("driver", FROM.format("relay.yaml")), {"driver": section("# c\n'driver'", "max_speed")}, "config/driver.yaml has a section of that name"),
+    ],
+)  # fmt: skip
+def test_a_file_for_another_node(launch: str, files: dict[str, str], words: str, tmp_path: Path) -> None:
+    (message,) = messages(tmp_path, launch, **files)
+    assert words in message
+
+
+@pytest.mark.parametrize(
+    ("launch", "files"),
+    [
+        # it is given the right one
+        (TWO.format("driver", FROM.format("driver.yaml")), {}),
+        (TWO.format("driver", FROM.format("driver.yaml") + FROM.format("relay.yaml")), {}),
+        (TWO.format("driver", ""), {}),
+        # nothing beside it is for the node
+        (TWO.format("driver", FROM.format("relay.yaml")), {"driver": section("other", "max_speed")}),
+        (TWO.format("front", FROM.format("relay.yaml")), {}),
+        (TWO.format("driver", FROM.format("relay.yaml")), {"driver": "driver:\n  max_speed: 0.5\n"}),
+        (TWO.format("driver", FROM.format("relay.yaml")), {"driver": section("/**/driver", "max_speed")}),
+        (TWO.format("driver", FROM.format("relay.yaml")), {"more": section("driver", "max_speed")}),  # or two are
+        # the file is for it, too
+        (TWO.format("driver", FROM.format("relay.yaml")), {"relay": section("relay", "max_speed") + section("driver", "max_speed")}),
+        (TWO.format("driver", FROM.format("relay.yaml")), {"relay": section("/**", "max_speed")}),
+        (TWO.format("driver", FROM.format("relay.yaml")), {"relay": section("'/*'", "max_speed")}),
+        # the name of the node is not known
+        (TWO.format("$(env WHO)", FROM.format("relay.yaml")), {}),
+    ],
+)  # fmt: skip
+def test_a_file_that_is_for_the_node_or_may_be(launch: str, files: dict[str, str], tmp_path: Path) -> None:
+    assert messages(tmp_path, launch, **files) == []
+
+
+def test_another_launch_file_gives_it_the_right_one(tmp_path: Path) -> None:
+    other = '<launch><node pkg="demo" exec="driver.py" name="driver">' + FROM.format("driver.yaml") + "</node></launch>"
+    assert messages(tmp_path, TWO.format("driver", FROM.format("relay.yaml"))) != []
+    (tmp_path / "head/launch/other.launch.xml").write_text(other, encoding="utf-8")
+    assert messages(tmp_path, TWO.format("driver", FROM.format("relay.yaml"))) == []
