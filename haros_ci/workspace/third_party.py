@@ -22,6 +22,12 @@ _BACKUP = regex(
     r"|antiguo|inutilis[ée]|ancien|unbenutzt|veraltet|vecchio|备份|旧版|废弃|弃用|不用)[-_.]?\d{0,8}[)\]]?",
     re.IGNORECASE,
 )
+#: Directories that a package has by convention, and what stands at the root of a project.
+_OF_PACKAGES = frozenset("src include scripts nodes launch".split())
+_OF_A_PROJECT = regex(
+    r"readme(?:\.\w+)?|cmakelists\.txt|(?:gnu)?makefile|setup\.py|pyproject\.toml|package\.json|configure(?:\.ac)?",
+    re.IGNORECASE,
+)
 _CODE = (".py", ".js", ".c", ".cc", ".cpp", ".cxx", ".h", ".hh", ".hpp", ".hxx")
 
 
@@ -29,13 +35,14 @@ class ThirdParty:
     """Which directories of a workspace hold copies, by the *names* of all its files and its *packages*, directory to name.
 
     A directory does if it is called so (``third_party``), or if it lies inside a package and has a licence of its own: a
-    package has its licence at its root. So does a package whose directory is a backup's by its name, or lies in one that is not used by its name, and one that is a release by its name and files, or the tree of a well-known library. A directory that a run is *requested* for, and those around it, are none for that run.
+    package has its licence at its root; a directory that a package has by convention (``src``), with code that is called like it, is its own. So does a package whose directory is a backup's by its name, or lies in one that is not used by its name, and one that is a release by its name and files, or the tree of a well-known library. A directory that a run is *requested* for, and those around it, are none for that run.
     """
 
     def __init__(self, names: Iterable[str], packages: Mapping[str, str], requested: Iterable[str] = ()) -> None:
         names = tuple(names)
         self._licensed = {_directory(name) for name in names if is_licence(name.rpartition("/")[2])}
         self._packages = frozenset(packages)
+        self._licensed -= _own(names, self._licensed, packages)
         self._backups = {directory for directory, name in packages.items() if _is_backup(directory, name)}
         self._backups |= _not_used(packages)
         self._trees = library_trees(names, packages)
@@ -73,6 +80,26 @@ class ThirdParty:
         while directory != "." and directory not in self._packages:
             directory = _directory(directory)
         return directory in self._packages
+
+
+def _own(names: Iterable[str], licensed: Collection[str], packages: Mapping[str, str]) -> frozenset[str]:
+    """Those of the *licensed* directories that are a package's own: by convention or by its name, with code that is called like it, and no project's root."""
+    asked = {
+        directory: packages[_directory(directory)]
+        for directory in licensed
+        if _directory(directory) in packages
+        and directory.rpartition("/")[2] in (*_OF_PACKAGES, packages[_directory(directory)])
+    }
+    named: set[str] = set()
+    rooted: set[str] = set()
+    for path in names if asked else ():
+        directory, base = _directory(path), path.rpartition("/")[2]
+        if directory in asked:
+            stem = base.rpartition(".")[0]
+            is_named = stem == asked[directory] or stem.startswith(f"{asked[directory]}_")
+            named.update({directory} if is_named and base.endswith(_CODE) else ())
+            rooted.update({directory} if _OF_A_PROJECT.fullmatch(base) else ())
+    return frozenset(named - rooted)
 
 
 def _is_backup(directory: str, package: str) -> bool:
