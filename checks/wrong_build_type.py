@@ -6,7 +6,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from haros_ci.api import Check, Finding, Fix, Level, Location, Project, ProjectPackage, is_slip, regex
+from haros_ci.api import Check, Finding, Fix, Level, Location, Project, ProjectPackage, is_slip, listed, regex
 from haros_ci.api.packages import (
     AMENT,
     CATKIN,
@@ -17,6 +17,7 @@ from haros_ci.api.packages import (
     build_types,
     entries_of,
     exports,
+    is_ignored,
     place,
     set_text,
     word,
@@ -38,6 +39,7 @@ def check(project: Project) -> Iterator[Finding]:
     for package in project.packages:
         if package.manifest is not None:
             yield from _build_type(package)
+    yield from _not_built(project)
 
 
 def _build_type(package: ProjectPackage) -> Iterator[Finding]:
@@ -80,6 +82,30 @@ def _none(package: ProjectPackage) -> Iterator[Finding]:
         () if condition else _only(add_export(package, "build_type", kind, f"export the build type {kind}")),
         Level.WARNING if condition else None,
     )
+
+
+def _not_built(project: Project) -> Iterator[Finding]:
+    """Packages of catkin without what catkin builds; those of which git leaves it out are one finding, as one line of .gitignore may do it."""
+    lost: dict[str, list[tuple[ProjectPackage, Location]]] = {}
+    for package in project.packages:
+        if package.manifest is None or package.ros != 1 or build_types(package) or not project.workspace.names:
+            continue
+        if package.raw.is_metapackage:  # catkin goes on with a warning (its catkin_workspace.cmake)
+            continue
+        tools = {item.name: item for item in package.raw.dependencies if item.kind == "buildtool_depend"}
+        if set(tools) == {"catkin"} and not package.has("CMakeLists.txt") and not _has_misspelt(package):
+            is_left_out = is_ignored(project.workspace, package.inside("CMakeLists.txt"))
+            at = Location(package.manifest_path, tools["catkin"].line or 1)
+            lost.setdefault("" if is_left_out else package.name, []).append((package, at))
+    for name, found in lost.items():
+        package, at = found[0]
+        several = len(found) > 1
+        names = listed([str(other) for other, _ in found])
+        message = f"{names} {'are' if several else 'is'} built with catkin, but {'have' if several else 'has'} no CMakeLists.txt"
+        hint = "add it" if name else "a line of .gitignore has git leave it out: correct that, and add the file"
+        what = f"{message}: {'their builds fail' if several else 'its build fails'}, and catkin_make that of all packages; {hint}"
+        related = tuple((place, f"{other} has none, either") for other, place in found[1:])
+        yield _finding(package, at, what, "no CMakeLists.txt", related)
 
 
 def _builds_for_both(package: ProjectPackage) -> bool:
