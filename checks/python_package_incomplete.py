@@ -13,6 +13,7 @@ from haros_ci.api.packages import (
     entry_point_mistake,
     is_own_module,
     lost_imports,
+    misspelt,
     moved_module,
     renamed_module,
 )
@@ -222,8 +223,21 @@ def _directories(package: ProjectPackage) -> Iterator[Finding]:
                 about=(package.name, section),
                 fixes=(Fix(f"put them into lib/{package.name}", tuple(fixes)),),
             )
-    if "install" not in directories and not _is_set_by_setup(package):
+    if _is_set_by_setup(package):
+        return
+    if "install" not in directories:
         yield _no_directory(package, nodes[0], path, directories)
+    elif "develop" not in directories and (wrong := misspelt(package.project.text(path), "develop", "script_dir")):
+        yield Finding(
+            at=Location(path, wrong.line),
+            message=(
+                f"setup.cfg of package {package.name} has {wrong.wrong}, which setuptools does not know: with colcon build "
+                f"--symlink-install programs are put into bin, where ros2 run does not find {nodes[0].name}; write {wrong.right}"
+            ),
+            about=(package.name, "script_dir"),
+            level=Level.WARNING,
+            fixes=(wrong.fix(path),),
+        )
 
 
 def _is_set_by_setup(package: ProjectPackage) -> bool:
@@ -238,13 +252,17 @@ def _no_directory(
     package: ProjectPackage, node: EntryPoint, path: str, directories: dict[str, tuple[str, int]]
 ) -> Finding:
     text = package.project.text(path)
+    wrong = misspelt(text, "install", "install_scripts")
     lacking = [section for section in _SECTIONS if section not in directories and f"[{section}]" not in text]
     fixes: tuple[Fix, ...] = ()
     if text.endswith("\n") and "install" in lacking:
         end = (len(text.splitlines()) + 1, 1)
         lines = "".join(f"[{section}]\n{_SECTIONS[section]}=$base/lib/{package.name}\n" for section in lacking)
         fixes = (Fix(f"put programs into lib/{package.name}", (Edit(path, end, end, lines),)),)
-    if package.has("setup.cfg"):
+    if wrong is not None:
+        what = f"setup.cfg of package {package.name} has {wrong.wrong}, which setuptools does not know, and so does not set"
+        mend, fixes = f"write {wrong.right}", (wrong.fix(path),)
+    elif package.has("setup.cfg"):
         what = f"setup.cfg of package {package.name} does not set"
         mend = f"write install_scripts=$base/lib/{package.name} under [install]"
     else:
@@ -252,7 +270,7 @@ def _no_directory(
         keys = [f"{key}=$base/lib/{package.name} under [{section}]" for section, key in _SECTIONS.items()]
         mend = f"add setup.cfg with {' and '.join(keys)}"
     return Finding(
-        at=Location(path, 1) if text else node.location,
+        at=Location(path, wrong.line if wrong is not None else 1) if text else node.location,
         message=(
             f"{what} the directory for programs: they are installed to bin, where ros2 run does not find {node.name}; {mend}"
         ),

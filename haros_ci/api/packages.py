@@ -114,6 +114,7 @@ from haros_ci.checking.provision import (
     others_of,
 )
 from haros_ci.checking.requirements import distributions_of, left_to_pip, normal, pinned
+from haros_ci.checking.script_sections import misspelt
 from haros_ci.checking.scripts import changes_modes, gives_modes, rospy_programs
 from haros_ci.checking.set_aside import is_copy_by_name
 from haros_ci.checking.test_support import is_for_tests, only_for_tests
@@ -311,6 +312,7 @@ __all__ = [
     "meant_classes",
     "meant_here",
     "meant_released",
+    "misspelt",
     "moved_module",
     "needs",
     "needs_of",

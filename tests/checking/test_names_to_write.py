@@ -61,8 +61,21 @@ def test_all_dependencies_to_add_are_named(tmp_path: Path) -> None:
         ("[metadata]\n", ["setup.cfg of package demo does not set", "; write install_scripts=$base/lib/demo under"]),
         ("", ["setup.cfg of package demo does not set", "; write install_scripts=$base/lib/demo under"]),
         ("[develop]\nscript_dir=$base/lib/demo\n[install]\ninstall_scripts=$base/lib/demo\n", []),
+        # misspelt
+        ("[develope]\nscript_dir=$base/lib/demo\n[install]\ninstall_scripts=$base/lib/demo\n", ["setup.cfg of package demo has [develope], which setuptools does not know: with colcon build --symlink-install", "; write [develop]"]),
+        ("[Develop]\nscript_dir=$base/lib/demo\n[install]\ninstall_scripts=$base/lib/demo\n", ["has [Develop], which", "; write [develop]"]),
+        ("[develop]\nscript_dirs=$base/lib/demo\n[install]\ninstall_scripts=$base/lib/demo\n", ["has script_dirs, which", "; write script_dir"]),
+        ("[develop]\nscript_dir=$base/lib/demo\n[instal]\ninstall_scripts=$base/lib/demo\n", ["has [instal], which setuptools does not know, and so does not set the directory", "; write [install]"]),
+        ("[develop]\nscript_dir=$base/lib/demo\n[install]\ninstall-script=$base/lib/demo\n", ["has install-script, which", "; write install_scripts"]),
+        # nothing is nearly called so, or it is set
+        ("[install]\ninstall_scripts=$base/lib/demo\n", []),
+        ("[options]\nscript_dir=a\n[install]\ninstall_scripts=$base/lib/demo\n", []),
+        ("[develops]\na=b\n[develop]\nscript_dir=$base/lib/demo\n[install]\ninstall_scripts=$base/lib/demo\n", []),
+        ("[develop]\nscript-dir=$base/lib/demo\n[install]\ninstall-scripts=$base/lib/demo\n", []),
+        ("# [develope]\n[install]\ninstall_scripts=$base/lib/demo\n", []),
+        ("[develop]\nuser=1\n[install]\ninstall_scripts=$base/lib/demo\n", []),
     ],
-)
+)  # fmt: skip
 def test_a_setup_cfg_that_is_not_there(setup_cfg: str | None, words: list[str], tmp_path: Path) -> None:
     files = {
         "package.xml": MANIFEST.format("<exec_depend>rclpy</exec_depend>", "ament_python"),
