@@ -255,7 +255,8 @@ def _finding(package: ProjectPackage, command: CMakeCommand, wrong: tuple[str, .
         what = (_NOT_FOUND if is_used else _NOT_FOUND_LATER).format("library" if len(wrong) == 1 else "libraries")
     level = Level.WARNING if command.name in _OF_USERS or not is_used else None  # this package builds
     has_headers = command.name != "catkin_package" or command.after("INCLUDE_DIRS", *KEYWORDS_OF_CATKIN)
-    if not (is_used or has_headers or meant_targets(package, command, name)):
+    is_program = name in package.cmake.targets
+    if not is_used and (is_program or not (has_headers or meant_targets(package, command, name))):
         level = Level.NOTE  # there is nothing to build against
     hint = target_hint(package, command, wrong)
     return Finding(

@@ -634,6 +634,19 @@ def test_a_library_that_another_package_exports_under_the_name_of_this_one_is_no
 PROGRAM = "add_executable(walk a.cpp)\n"
 
 
+def test_a_program_that_is_exported_as_a_library_fails_who_is_built_against_it(tmp_path: Path) -> None:
+    files = {
+        "demo/package.xml": ROS1,
+        "demo/CMakeLists.txt": f"project(demo)\nfind_package(catkin REQUIRED)\n{PROGRAM}catkin_package(LIBRARIES walk)\n",
+        "demo/a.cpp": "int main() { return 0; }\n",
+        "user/package.xml": USER.format("<depend>demo</depend>"),
+        "user/CMakeLists.txt": "project(user)\nfind_package(catkin REQUIRED COMPONENTS demo)\ncatkin_package()\n",
+    }
+    check = next(check for check in checks() if check.id == "unknown-target")
+    found = [result for result in said(check, Example("", True, files), tmp_path) if result.subject[0] == "demo"]
+    assert [result.level for result in found] == [Level.ERROR]
+
+
 @pytest.mark.parametrize(
     ("cmake", "told"),
     [
@@ -654,6 +667,7 @@ def test_programs_that_are_exported_as_libraries(tmp_path: Path, cmake: str, tol
     check = next(check for check in checks() if check.id == "unknown-target")
     (result,) = said(check, Example("", True, files), tmp_path)
     assert result.message.endswith(told) or (told.startswith("demo is") and told in result.message)
+    assert result.level is Level.NOTE  # nobody is built against the package
 
 
 @pytest.mark.parametrize(

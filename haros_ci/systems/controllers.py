@@ -22,6 +22,8 @@ from haros_ci.values.abstract import Known, Opaque
 
 PACKAGE = "controller_manager"
 MANAGER, SPAWNERS = "ros2_control_node", ("spawner", "spawner.py")
+#: The spawner of the releases before Humble: a manager's name without a slash is in the global namespace (``make_absolute``), not in the spawner's.
+FORMER = "spawner.py"
 #: What the manager is called unless something says otherwise.
 DEFAULT = "controller_manager"
 #: The option of a spawner that names a controller whose own options follow.
@@ -179,7 +181,7 @@ def _controller(
     rules_of: Callable[[str, Location], Iterable[ParameterRule]],
 ) -> LaunchedNode:
     called = options.get("--controller-manager", DEFAULT)
-    space = options.get("--namespace", spawner.namespace or "/")
+    space = "/" if spawner.type == FORMER else options.get("--namespace", spawner.namespace or "/")
     full = clean(called if called.startswith("/") else f"/{space}/{called}")
     manager = managers.get(full)
     namespace = full.rpartition("/")[0] or "/"

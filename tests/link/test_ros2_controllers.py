@@ -220,3 +220,19 @@ def test_a_controller_of_the_workspace_is_not_followed() -> None:
     assert [unknown.reason for unknown in node.unknowns] == [
         "p/Own is in the workspace, but what calls it is not: it is not followed"
     ]
+
+
+@pytest.mark.parametrize(
+    ("program", "args", "container"),
+    [
+        ("spawner.py", "jsb", "/controller_manager"),
+        ("spawner.py", "jsb -c controller_manager", "/controller_manager"),
+        ("spawner.py", "jsb -c /a/controller_manager", "/a/controller_manager"),
+        ("spawner", "jsb", "/a/controller_manager"),
+        ("spawner", "jsb -c controller_manager", "/a/controller_manager"),
+        ("spawner", "jsb -c /controller_manager", "/controller_manager"),
+    ],
+)
+def test_the_manager_of_a_spawner_with_a_namespace(program: str, args: str, container: str) -> None:
+    body = f'<node pkg="controller_manager" exec="{program}" namespace="a" args="{args}"/>'
+    assert [node.container for node in started(body) if node.container] == [container]
