@@ -45,10 +45,12 @@ def coverage(
         unseen.append(_unused(unused))
     if copied:
         unseen.append(_copied(copied))
+    own = [file for file in workspace.files if not file.third_party]
+    others = {file.package for file in workspace.files} - {file.package for file in own}
     return Coverage(
-        packages=len(workspace.packages),
-        files=len(workspace.files),
-        lines=sum(f.lines for f in workspace.files if f.language in ("cpp", "python") and not f.third_party),
+        packages=sum(package.name not in others for package in workspace.packages),
+        files=len(own),
+        lines=sum(file.lines for file in own if file.language in ("cpp", "python")),
         targets=None if workspace.targets is None else len(workspace.targets),
         unseen=tuple(unseen),
         sandbox=sentence(ways),

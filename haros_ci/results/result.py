@@ -211,7 +211,7 @@ class Baseline:
 
 @dataclass(frozen=True, slots=True)
 class Coverage:
-    """What was looked at and what was not, for the summary; *lines* are of C++ and Python, without copies of other projects."""
+    """What was looked at and what was not, for the summary, all without copies of other projects; *lines* are of C++ and Python."""
 
     packages: int = 0
     files: int = 0
