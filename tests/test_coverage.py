@@ -616,3 +616,12 @@ def test_a_package_without_a_build_file_compiles_nothing(
     write(workspace, files)
     found = {(site.state, site.reason) for site in sites(capsys) if site.path.endswith("bare.cpp")}
     assert found == states
+
+
+def test_a_program_in_no_package_is_missing_for_that_reason(
+    workspace: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    program = "import rclpy\n\n\ndef main():\n    rclpy.init()\n    n = rclpy.create_node('n')\n    n.create_publisher(Bool, 'b', 1)\n\n\nmain()\n"
+    write(workspace, {"tools/t.py": program})
+    (site,) = [site for site in sites(capsys) if site.path == "tools/t.py"]
+    assert (site.state, site.reason, site.detail) == ("open", "the file lies in no package", "main")

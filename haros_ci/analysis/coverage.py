@@ -289,6 +289,8 @@ def _about(
         plugin = plugins.of(piece, name, found.source.package)
         if plugin is not None:
             return "in a plug-in", f"{title}, of {plugin.base}"
+    if found.source.package is None:
+        return "the file lies in no package", title
     return "nothing of the function is in the model", title
 
 
