@@ -172,6 +172,32 @@ def test_what_the_program_sets_itself_of_options_that_are_not_known(before: str,
     assert sorted(found) == expected
 
 
+@pytest.mark.parametrize("words", ["", "argv", "sys.argv[1:]"])
+@pytest.mark.parametrize(
+    "option", ['"--more", nargs="*", default=[]', '"--more", nargs=4', '"--more", action="append"']
+)
+def test_lists_that_nothing_fills_are_what_somebody_gives(option: str, words: str) -> None:
+    body = PARTLY.replace(
+        "o, rest = p.parse_known_args()", f"p.add_argument({option})\nargv = None\no = p.parse_args({words})"
+    )
+    assert names(python(body + "for m in o.more:\n    PUB(m)\nPUB(o.topic)\n")) == ["/?", "/a"]
+
+
+def test_a_list_with_a_default_has_it() -> None:
+    body = PARTLY.replace(
+        "o, rest = p.parse_known_args()", "p.add_argument('--more', nargs='*', default=['b'])\no = p.parse_args()"
+    )
+    assert names(python(body + "for m in o.more:\n    PUB(m)\n")) == ["/b"]
+
+
+@pytest.mark.parametrize(
+    ("required", "expected"), [("required=True", ["/?"]), ("required=False", ["/a"]), ("", ["/a"])]
+)
+def test_a_group_without_which_the_program_ends(required: str, expected: list[str]) -> None:
+    group = f"g = p.add_mutually_exclusive_group({required})\ng.add_argument('--left')\ng.add_argument('--right')\no = p.parse_args()"
+    assert names(python(PARTLY.replace("o, rest = p.parse_known_args()", group) + "PUB(o.topic)\n")) == expected
+
+
 SETUP = (
     "from setuptools import setup\nsetup(name='p', packages=['p'], data_files=[('share/p/launch', ['launch/l.launch.py'])], "
     "entry_points={'console_scripts': ['n = p.n:main']})\n"

@@ -16,6 +16,7 @@ from haros_ci.follow.libraries.argparse_words import COMMANDS, DECLARED, DEEP, D
 from haros_ci.follow.walk import Walk
 from haros_ci.values.abstract import (
     NONE,
+    TRUE,
     Callable,
     Cell,
     Elements,
@@ -36,6 +37,8 @@ PARSER = "argparse.ArgumentParser"
 UNREAD = "[unread]"
 #: What one of several commands calls, and the member that has its function.
 CHOSEN, FUNCTION = "[chosen]", "[function]"
+#: A member of a parser: that it ends without one of the options of a group.
+NEEDED = "[needed]"
 #: Why options are not known.
 UNKNOWN = "the command line is not known"
 #: Arguments of a parser that do not change what words mean.
@@ -62,6 +65,8 @@ def method(walk: Walk, frame: Frame, this: Object, name: str, args: tuple[Passed
     declared = this.fields[DECLARED].value
     assert isinstance(declared, Sequence)
     if name in GROUPS:
+        if any(argument.keyword == "required" and argument.value != Known(False) for argument in args):
+            this.fields[NEEDED] = Cell(TRUE)
         return this
     if name in ("parse_args", "parse_known_args"):
         return _options(walk, frame, this, args, name == "parse_known_args")
@@ -113,7 +118,7 @@ def _options(walk: Walk, frame: Frame, this: Object, args: tuple[PassedArgument,
     elif not walk.context.is_launched and items == [] and _has_commands(this):
         found = _of_any_command(walk, frame, this)
     else:
-        found = _parsed(this, items, is_partly)
+        found = _parsed(walk, frame, this, items, is_partly)
     if found is not None:
         return found
     options = _unread(walk, frame, this)
@@ -199,9 +204,13 @@ def _declared_inside(commands: Object, depth: int) -> Iterator[str]:
                     yield cell.value.of(str).lstrip("-").replace("-", "_")
 
 
-def _parsed(this: Object, items: list[Value] | None, is_partly: bool) -> Value | None:
-    """The options as an object where *items* are the words; None if these, or what they mean, are not known."""
-    if items is None or len(items) > MOST:
+def _parsed(walk: Walk, frame: Frame, this: Object, items: list[Value] | None, is_partly: bool) -> Value | None:
+    """The options as an object where *items* are the words; None if these, or what they mean, are not known.
+
+    Lists that nothing fills are not known of a program that nothing starts: who starts it gives what they are for.
+    """
+    is_by_hand = items == [] and not walk.context.is_launched
+    if items is None or len(items) > MOST or (is_by_hand and NEEDED in this.fields):
         return None
     words = [item.of(str) for item in items if isinstance(item, Known) and issubclass(item.kind, str)]
     if len(words) < len(items):
@@ -212,9 +221,11 @@ def _parsed(this: Object, items: list[Value] | None, is_partly: bool) -> Value |
         return None
     if rest and not is_partly:
         return None
-    made = Object(
-        "argparse.Namespace", fields={key: Cell(argparse_words.value_of(data, kept)) for key, data in space.items()}
-    )
+    fields = {key: Cell(argparse_words.value_of(data, kept)) for key, data in space.items()}
+    for key in argparse_words.lists(this) if is_by_hand else ():
+        if not space.get(key):
+            fields[key] = Cell(walk.opaque(UNKNOWN, frame))
+    made = Object("argparse.Namespace", fields=fields)
     if not is_partly:
         return made
     return Sequence(Cell((Cell(made), Cell(argparse_words.value_of(rest, kept)))))

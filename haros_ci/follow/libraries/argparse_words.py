@@ -35,6 +35,25 @@ class Ended(Exception):
 
 def read(this: Object, words: list[str]) -> tuple[dict[str, object], list[str], dict[int, Value]]:
     """What argparse makes of *words*: values by name, words left over, and defaults that are not data by their stand-in."""
+    kept: dict[int, Value] = {}
+    space, rest = _reader(this, kept).parse_known_args(words)
+    for key, data in list(vars(space).items()):
+        if id(data) not in kept and not isinstance(data, (str, int, float, bool, list, type(None))):
+            raise ValueError(f"{key} is no data")
+    return vars(space), rest, kept
+
+
+def lists(this: Object) -> frozenset[str]:
+    """The names of the options of a parser that are lists of what they are given: of several words, or given several times."""
+    import argparse
+
+    several = (argparse._AppendAction,)
+    actions = _reader(this, {})._actions
+    return frozenset(one.dest for one in actions if isinstance(one, several) or one.nargs not in (None, "?", 0))
+
+
+def _reader(this: Object, kept: dict[int, Value]) -> ArgumentParser:
+    """An argparse parser with the options of a parser; it raises Ended where the program would end."""
     import argparse
 
     class Reader(argparse.ArgumentParser):
@@ -42,13 +61,8 @@ def read(this: Object, words: list[str]) -> tuple[dict[str, object], list[str], 
             raise Ended(message)
 
     reader = Reader(add_help=False, conflict_handler="resolve")
-    kept: dict[int, Value] = {}
     _fill(reader, this, kept, [MOST, OPEN], 0)
-    space, rest = reader.parse_known_args(words)
-    for key, data in list(vars(space).items()):
-        if id(data) not in kept and not isinstance(data, (str, int, float, bool, list, type(None))):
-            raise ValueError(f"{key} is no data")
-    return vars(space), rest, kept
+    return reader
 
 
 def _fill(reader: ArgumentParser, this: Object, kept: dict[int, Value], left: list[int], depth: int) -> None:
