@@ -108,6 +108,8 @@ class Types:
     digests: dict[int, tuple[Followed, str]] = field(default_factory=dict)
     #: The ROS version of each package, None where it does not tell.
     versions: Mapping[str, int | None] = field(default_factory=dict)
+    #: The files of programs that are of the other ROS than their package, with that ROS.
+    left_out: Mapping[str, int] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True)

@@ -244,6 +244,7 @@ def linked(
             if (package, name) not in started and types.executables[package, name][1] not in behind_links:
                 jobs.append(system.alone(types, package, name))
         jobs += unstarted.ros2_alone(types, started, tuple(jobs))
+        problems.update(dict.fromkeys(unstarted.lost(types)))
         for described, _, _ in dict.fromkeys(types.nodelets.values()):
             if system.type_of(described.name, described) not in started:
                 jobs.append(system.standalone(types, described.name))

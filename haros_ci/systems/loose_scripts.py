@@ -14,7 +14,7 @@ from haros_ci import syntax
 from haros_ci.follow.follow import Entry
 from haros_ci.index.index import Source, is_test
 from haros_ci.model.build import Build
-from haros_ci.systems import ros2_system, system
+from haros_ci.systems import other_ros, ros2_system, system
 from haros_ci.systems.following import Types
 from haros_ci.systems.system import Job
 
@@ -22,25 +22,37 @@ from haros_ci.systems.system import Job
 SCRIPT = "script"
 #: Files that tools read, and directories whose files they do.
 OTHERS = ("setup.py", "conftest.py", "conf.py")
-CLIENTS = {"rospy": 1, "rclpy": 2}
 
 
 def jobs(types: Types) -> Iterator[Job]:
     """A job for each such program, by path."""
-    used = {path for build in types.programs.builds.values() for path in _used(build)}
-    used |= {entry.source.path for entry, _ in (*types.ros2_programs.values(), *types.startable.values())}
     names: set[tuple[str, str]] = set()
-    for path, source in sorted(types.programs.sources.items()):
-        package = source.package or ""
-        if path in used or package not in types.programs.builds or not _is_program(source):
-            continue
-        ros, name = _version(source), posixpath.basename(path)
+    for path, source, ros in _programs(types):
+        package, name = source.package or "", posixpath.basename(path)
         name = path if (package, name) in names else name
         names.add((package, name))
-        if ros is None or types.versions.get(package) not in (None, ros):
+        if types.versions.get(package) in (None, ros):
+            made = ros2_system.alone if ros == 2 else system.alone
+            yield made(types, package, name, label=SCRIPT, found=(Entry(source), frozenset((path,))))
+
+
+def of_other_ros(types: Types) -> Iterator[tuple[str, int]]:
+    """Those of them that are of the other ROS than their package, by path, with that ROS."""
+    for path, source, ros in _programs(types):
+        if types.versions.get(source.package or "") not in (None, ros):
+            yield path, ros
+
+
+def _programs(types: Types) -> Iterator[tuple[str, Source, int]]:
+    """Each such program by path, with the ROS whose client library it uses."""
+    used = {path for build in types.programs.builds.values() for path in _used(build)}
+    used |= {entry.source.path for entry, _ in (*types.ros2_programs.values(), *types.startable.values())}
+    for path, source in sorted(types.programs.sources.items()):
+        if path in used or (source.package or "") not in types.programs.builds or not _is_program(source):
             continue
-        made = ros2_system.alone if ros == 2 else system.alone
-        yield made(types, package, name, label=SCRIPT, found=(Entry(source), frozenset((path,))))
+        ros = other_ros.client_of(types.programs, source)
+        if ros is not None:
+            yield path, source, ros
 
 
 def _used(build: Build) -> Iterator[str]:
@@ -63,10 +75,3 @@ def _is_program(source: Source) -> bool:
         if function.kind == "module"
         for statement in function.body or ()
     )
-
-
-def _version(source: Source) -> int | None:
-    """The version of ROS whose client library a file imports; None for both or neither."""
-    roots = {alias.type.name.partition(".")[0] for alias in source.program.aliases}
-    found = [ros for name, ros in CLIENTS.items() if name in roots]
-    return found[0] if len(found) == 1 else None

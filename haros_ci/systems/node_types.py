@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
+from functools import partial
 
 from haros_ci.follow.context import Exact
 from haros_ci.follow.follow import Entry
@@ -22,9 +23,10 @@ from haros_ci.model.once import once
 from haros_ci.model.package import Package
 from haros_ci.model.workspace import Workspace
 from haros_ci.substitutions.files import files_of
-from haros_ci.systems import client_libraries, definitions, gazebo_plugins, ros2_controllers, ros2_entries
+from haros_ci.systems import client_libraries, definitions, gazebo_plugins, other_ros, ros2_controllers, ros2_entries
 from haros_ci.systems.entries import Programs, declared, executables, nodelets, plugin_files, plugins, plugins_of_base
 from haros_ci.systems.following import KnownNodes, Types
+from haros_ci.systems.ros2_entries import Found
 from haros_ci.timing import timed
 
 
@@ -68,10 +70,14 @@ def types_of(
     reader, xml = YamlFiles(files), XmlFileReader(load, files)
     tree_libraries = behavior_tree_files.library_files(cpp, builds)
     versions = {package.name: package.ros for package in workspace.packages}
-    ordinary = of_version(executables(programs), versions, 1)
-    every = of_version({**linked(workspace, programs), **executables(programs, tests=True)}, versions, 1)
+    of_version = partial(_of_version, programs, versions)
+    older = executables(programs)
+    ordinary = of_version(older, 1)
+    every = of_version({**linked(workspace, programs), **executables(programs, tests=True)}, 1)
     startable = {**every, **ordinary}
-    loadable = of_version(ros2_entries.components(programs), versions, 2)
+    components = ros2_entries.components(programs)
+    loadable = of_version(components, 2)
+    newer = ros2_entries.programs_of(programs, loadable)
     return Types(
         programs,
         ordinary,
@@ -87,14 +93,15 @@ def types_of(
         exact=exact,
         of_base=plugins_of_base(programs),
         declared=declared(programs),
-        ros2_programs=of_version(ros2_entries.programs_of(programs, loadable), versions, 2),
+        ros2_programs=of_version(newer, 2),
         components=loadable,
-        hosted=of_version(ros2_entries.hosted(programs, tables.get(("cpp", 2), {})), versions, 2),
+        hosted=of_version(ros2_entries.hosted(programs, tables.get(("cpp", 2), {})), 2),
         controllers=ros2_controllers.controllers(programs, versions),
         gazebo=gazebo_plugins.built(programs),
         trees=TreeFiles(xml, cpp, builds) if behavior_tree_files.users(cpp) else None,
         xml=xml,
         versions=versions,
+        left_out=other_ros.left_out(programs, (older, components, newer), versions),
     )
 
 
@@ -107,11 +114,15 @@ def by_call(rows: tuple[Row, ...]) -> Mapping[str, tuple[Row, ...]]:
     return {name: tuple(found) for name, found in table.items()}
 
 
-def of_version(
-    found: Mapping[tuple[str, str], tuple[Entry, frozenset[str]]], versions: Mapping[str, int | None], ros: int
-) -> dict[tuple[str, str], tuple[Entry, frozenset[str]]]:
-    """Of node types those in packages of that ROS version; packages that do not tell are of ROS 1."""
-    return {key: entry for key, entry in found.items() if (versions.get(key[0]) == 2) == (ros == 2)}
+def _of_version(
+    programs: Programs, versions: Mapping[str, int | None], found: Mapping[tuple[str, str], Found], ros: int
+) -> dict[tuple[str, str], Found]:
+    """Of node types those of that ROS: their package's, else that of the client library that they use, else ROS 1."""
+
+    def version(package: str, entry: Entry) -> int:
+        return versions.get(package) or other_ros.client_of(programs, entry.source) or 1
+
+    return {key: made for key, made in found.items() if version(key[0], made[0]) == ros}
 
 
 def linked(workspace: Workspace, programs: Programs) -> dict[tuple[str, str], tuple[Entry, frozenset[str]]]:

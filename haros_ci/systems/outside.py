@@ -5,6 +5,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import replace
+from itertools import chain
+from posixpath import basename
 from typing import TYPE_CHECKING
 
 from haros_ci.follow.ros.ros2_nodes import MANAGED
@@ -15,11 +17,13 @@ from haros_ci.graph.ros2_process import RosNode
 from haros_ci.graph.words import shell_words
 from haros_ci.graph.words import split as words_of
 from haros_ci.model.architecture import Node, Unknown
+from haros_ci.model.build import Build
 from haros_ci.model.location import Location
-from haros_ci.systems.entries import Programs, main_of
+from haros_ci.systems.entries import main_of
 from haros_ci.systems.known.command_lines import specialised
 from haros_ci.systems.known.entry import KnownNode
 from haros_ci.systems.known.instantiate import instantiate
+from haros_ci.systems.other_ros import client_of
 from haros_ci.systems.ros2_implicit import implicit
 from haros_ci.values.abstract import Known, Value, data_of, opaque_of
 
@@ -35,7 +39,7 @@ UNNAMED = "the program names itself, and its code is not in the workspace"
 
 def described(
     node: Node,
-    programs: Programs,
+    types: Types,
     known: KnownNode | None,
     namespace: str,
     arguments: tuple[str, ...],
@@ -44,7 +48,7 @@ def described(
 ) -> Node:
     """*node* with what is *known* of its type, if anything is; else with an unknown in place of endpoints."""
     if known is None:
-        reason = why(programs, node.package, node.type, look_up(node) if node.kind == "nodelet" else None)
+        reason = why(types, node.package, node.type, 1, look_up(node) if node.kind == "nodelet" else None)
         return replace(node, unknowns=(*node.unknowns, Unknown("endpoints", reason, node.location)))
 
     ends = instantiate(
@@ -77,8 +81,9 @@ def look_up(node: Node) -> str:
     return f"{node.package}/{node.type}" if node.kind == "nodelet" and node.package else node.type
 
 
-def why(programs: Programs, package: str, name: str, nodelet: str | None) -> str:
-    """Why a node that a launch file starts is not followed; *nodelet* is a nodelet's look-up name, None for a node."""
+def why(types: Types, package: str, name: str, ros: int, nodelet: str | None) -> str:
+    """Why a node that a launch file of that *ros* starts is not followed; *nodelet* is a nodelet's look-up name, None for a node."""
+    programs = types.programs
     what = nodelet or f"{package}/{name}"
     if "?" in what:
         return "which program it is, is not known"
@@ -89,9 +94,9 @@ def why(programs: Programs, package: str, name: str, nodelet: str | None) -> str
         return f"{name} is in the workspace, but what calls it is not: it is not followed"
     if nodelet is not None:
         described_ones = (plugin for made in programs.builds.values() for plugin in made.plugins)
-        types = [plugin.type.strip() for plugin in described_ones if plugin.name == nodelet]
-        if types:
-            return f"the class {types[0]} of the nodelet {what} was not found in the workspace"
+        classes = [plugin.type.strip() for plugin in described_ones if plugin.name == nodelet]
+        if classes:
+            return f"the class {classes[0]} of the nodelet {what} was not found in the workspace"
         if build is None:
             return f"the code of {what} is not in the workspace"
         return f"no plug-in description of the workspace names the nodelet {what}"
@@ -106,7 +111,23 @@ def why(programs: Programs, package: str, name: str, nodelet: str | None) -> str
             if target.component:
                 return f"{what} ({where}) runs {target.component}, a component of ROS 2, and is not followed here"
             return f"no main function was found in the sources of {what} ({where})"
+    path = script_named(build, name)
+    if path in types.left_out:
+        client = types.left_out[path]
+        return f"{what} ({path}) uses the client library of ROS {client}, but its package is taken for ROS {3 - client}"
+    if path in programs.sources and client_of(programs, programs.sources[path]) == 3 - ros:
+        return f"{what} ({path}) is a program of the other ROS"
     return f"package {package} is in the workspace, but no C++ or Python program called {name} was found in it"
+
+
+def script_named(build: Build, name: str) -> str:
+    """The file of a package that is started by that *name* without being built; "" if there is none."""
+    installed = (
+        one.path for one in build.installed if one.kind == "program" and name == (one.name or basename(one.path))
+    )
+    points = (point.path for point in build.entry_points if point.name == name)
+    scripts = (path for path in build.scripts if basename(path) == name)
+    return next(chain(installed, points, scripts), "") or ""
 
 
 def ros2_described(
@@ -115,7 +136,7 @@ def ros2_described(
     """A ROS 2 *node* whose code is not in the workspace: with what is known of its type, if anything is."""
     known = types.known(node.package, node.type, 2)
     if known is None:
-        reason = why(types.programs, node.package, node.type, None)
+        reason = why(types, node.package, node.type, 2, None)
         unknowns = [*node.unknowns, Unknown("endpoints", reason, node.location)]
         if "?" in node.name and not any(unknown.field == "name" for unknown in unknowns):
             unknowns.append(Unknown("name", UNNAMED, node.location))

@@ -112,7 +112,7 @@ def launched(types: Types, started: Started, server: ParameterServer) -> Job:
     if found is None:
         known = types.known(node.package, outside.look_up(node), 1)
         provided = (namespace, words.rest, parameter, remaps)
-        return Job(node, None, lambda: ((outside.described(node, types.programs, known, *provided),), ()))
+        return Job(node, None, lambda: ((outside.described(node, types, known, *provided),), ()))
     entry, files = found
     arguments = None if any("?" in word for word in words.rest) else words.rest
     kept = {"is_launched": True, "has_own": True, "remaps_process": process == started.name}

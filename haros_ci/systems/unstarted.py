@@ -13,6 +13,7 @@ from haros_ci.model.workspace import Problem
 from haros_ci.systems import (
     gazebo_plugins,
     loose_scripts,
+    other_ros,
     ros1_controllers,
     ros2_controllers,
     ros2_hosts,
@@ -45,6 +46,11 @@ def ros2_alone(types: Types, started: set[tuple[str, str]], launched: Iterable[J
     yield from gazebo_plugins.jobs(types, launched)
     yield from ros2_hosts.hosts(types)
     yield from loose_scripts.jobs(types)
+
+
+def lost(types: Types) -> Iterator[Problem]:
+    """What is said of programs that are of the other ROS than their package."""
+    yield from other_ros.problems({*types.left_out.items(), *loose_scripts.of_other_ros(types)})
 
 
 def configurations(
