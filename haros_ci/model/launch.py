@@ -118,6 +118,8 @@ class LaunchedNode:
     unknowns: tuple[Unknown, ...] = ()
     #: Under which launch arguments it is there.
     presence: Presence = ()
+    #: The file that an interpreter runs, where that is no program of the package.
+    path: str = ""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

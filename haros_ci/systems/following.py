@@ -110,6 +110,14 @@ class Types:
     versions: Mapping[str, int | None] = field(default_factory=dict)
     #: The files of programs that are of the other ROS than their package, with that ROS.
     left_out: Mapping[str, int] = field(default_factory=dict)
+    #: Files of Python that are run by themselves, by path.
+    by_file: dict[str, tuple[Entry, frozenset[str]]] = field(default_factory=dict)
+
+    def file(self, path: str) -> tuple[Entry, frozenset[str]] | None:
+        """The program that a file of Python is."""
+        if path not in self.by_file and path in self.programs.sources:
+            self.by_file[path] = Entry(self.programs.sources[path]), frozenset((path,))
+        return self.by_file.get(path)
 
 
 @dataclass(frozen=True, slots=True)

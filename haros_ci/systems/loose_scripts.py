@@ -8,7 +8,7 @@ not in what checks see: nothing says that they run together with anything.
 from __future__ import annotations
 
 import posixpath
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from haros_ci import syntax
 from haros_ci.follow.follow import Entry
@@ -24,10 +24,14 @@ SCRIPT = "script"
 OTHERS = ("setup.py", "conftest.py", "conf.py")
 
 
-def jobs(types: Types) -> Iterator[Job]:
-    """A job for each such program, by path."""
+def jobs(types: Types, launched: Iterable[Job]) -> Iterator[Job]:
+    """A job for each such program, by path, but for those that launch files start by their paths (*launched*)."""
+    groups = {job.group for job in launched}
+    started = {path for path, (entry, _) in types.by_file.items() if id(entry) in groups}
     names: set[tuple[str, str]] = set()
     for path, source, ros in _programs(types):
+        if path in started:
+            continue
         package, name = source.package or "", posixpath.basename(path)
         name = path if (package, name) in names else name
         names.add((package, name))

@@ -16,6 +16,7 @@ from haros_ci.graph.parameters import Perhaps
 from haros_ci.graph.ros2_process import RosNode
 from haros_ci.graph.words import shell_words
 from haros_ci.graph.words import split as words_of
+from haros_ci.launch.ros2.python_programs import INTERPRETERS
 from haros_ci.model.architecture import Node, Unknown
 from haros_ci.model.build import Build
 from haros_ci.model.location import Location
@@ -87,6 +88,13 @@ def why(types: Types, package: str, name: str, ros: int, nodelet: str | None) ->
     what = nodelet or f"{package}/{name}"
     if "?" in what:
         return "which program it is, is not known"
+    if ros == 2 and not package:
+        is_run = name in INTERPRETERS
+        return (
+            f"the program that {name} runs was not found in the workspace"
+            if is_run
+            else f"the code of {name} is not in the workspace"
+        )
     build = programs.builds.get(package)
     if nodelet is None and name.startswith(f"{package}/"):  # a plug-in, such as a controller
         if build is None:

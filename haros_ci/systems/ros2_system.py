@@ -49,6 +49,8 @@ def launched(types: Types, node: LaunchedNode, containers: Mapping[str, Launched
     found = types.components.get(key) if node.kind == "component" else types.ros2_programs.get(key)
     if controller is not None:
         found = controller.entry, controller.files
+    if node.path:
+        found = types.file(node.path)
     basic = _basic(node, controller)
     if found is None:
         outside_it = lambda: (_not_followed(types, node, basic, started), ())  # noqa: E731 - one of two bodies of the same name

@@ -45,7 +45,7 @@ def ros2_alone(types: Types, started: set[tuple[str, str]], launched: Iterable[J
     yield from ros1_controllers.jobs(types, launched)
     yield from gazebo_plugins.jobs(types, launched)
     yield from ros2_hosts.hosts(types)
-    yield from loose_scripts.jobs(types)
+    yield from loose_scripts.jobs(types, launched)
 
 
 def lost(types: Types) -> Iterator[Problem]:

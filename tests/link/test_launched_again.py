@@ -56,7 +56,10 @@ def found(root: Path, action: str, **others: str) -> Architecture:
         "scripts/by_hand.py": "#!/usr/bin/env python3\n" + TALKER + STARTED,
         "launch/main.launch.py": MAIN.format(action),
         "launch/inner.launch.py": INNER,
-        **{path.replace("__", "/").replace("_py", ".py"): text for path, text in others.items()},
+        **{
+            path if "/" in path else path.replace("__", "/").replace("_py", ".py"): text
+            for path, text in others.items()
+        },
     }
     for path, text in files.items():
         (root / "arm" / path).parent.mkdir(parents=True, exist_ok=True)
@@ -162,3 +165,115 @@ def test_what_is_launched_is_no_configuration_of_its_own(tmp_path: Path) -> None
 )
 def test_programs_of_python(tmp_path: Path, command: str, expected: list[str]) -> None:
     assert topics(found(tmp_path, f"ExecuteProcess(cmd={command})")) == expected
+
+
+OF_ROS = TALKER + STARTED
+
+
+def started(made: Architecture) -> list[str]:
+    """The programs that the main launch file starts."""
+    main = next(each for each in made.configurations if each.name == "arm/launch/main.launch.py")
+    return [f"{node.package}/{node.type}" for node in main.nodes]
+
+
+@pytest.mark.parametrize(
+    ("action", "program", "topic"),
+    [
+        ("Node(executable='python3', arguments=['-m', 'arm.talker'])", "arm/talk", "/chatter"),
+        ("Node(executable='python', arguments=['-u', '-m', 'arm.by_file'])", "arm/arm/by_file.py", "/chatter"),
+        (
+            "Node(executable='python3', arguments=['-m', 'arm.by_file'], namespace='a')",
+            "arm/arm/by_file.py",
+            "/a/chatter",
+        ),
+        ("Node(executable='python3', arguments=['-m', 'arm.more'])", "arm/arm/more/__main__.py", "/chatter"),
+        ("Node(executable=sys.executable, arguments=['-m', 'arm.by_file'])", "arm/arm/by_file.py", "/chatter"),
+        ("Node(executable='python3', arguments=[SHARE + '/scripts/tool.py', '-v'])", "arm/scripts/tool.py", "/chatter"),
+        ("Node(executable='ros2', arguments=['run', 'arm', 'talk'])", "arm/talk", "/chatter"),
+        (
+            "Node(executable='python3', arguments=['-m', 'arm.by_file'], remappings=[('chatter', 'told')])",
+            "arm/arm/by_file.py",
+            "/told",
+        ),
+        ("ExecuteProcess(cmd=['python3', '-m', 'arm.by_file'])", "arm/arm/by_file.py", "/chatter"),
+        ("ExecuteProcess(cmd=['python3', SHARE + '/scripts/tool.py'])", "arm/scripts/tool.py", "/chatter"),
+        ("ExecuteProcess(cmd=['python3 -u -m arm.by_file --fast'], shell=True)", "arm/arm/by_file.py", "/chatter"),
+        (
+            "ExecuteProcess(cmd=['python3', SHARE + '/scripts/tool.py', '--ros-args', '-r', '__ns:=/b'])",
+            "arm/scripts/tool.py",
+            "/b/chatter",
+        ),
+    ],
+)
+def test_files_that_the_interpreter_runs(tmp_path: Path, action: str, program: str, topic: str) -> None:
+    files = {"arm__by_file_py": OF_ROS, "arm/more/__main__.py": OF_ROS, "scripts__tool_py": OF_ROS}
+    made = found(tmp_path, action, **files)
+    assert (started(made), topics(made)) == ([program], [topic])
+    own = {each.name for each in made.configurations if each.name != "arm/launch/main.launch.py"}
+    assert f"{program.partition('/')[0]}/{program.rpartition('/')[2]} (script)" not in own
+    assert [each.message for each in made.problems] == []
+
+
+@pytest.mark.parametrize(
+    "action",
+    [
+        # no ROS in it, nothing that is run, no file of the workspace, no file at all
+        "ExecuteProcess(cmd=['python3', SHARE + '/scripts/plain.py'])",
+        "ExecuteProcess(cmd=['python3', SHARE + '/scripts/library.py'])",
+        "ExecuteProcess(cmd=['python3', '-m', 'arm.quiet'])",
+        "ExecuteProcess(cmd=['python3', '-m', 'http.server'])",
+        "ExecuteProcess(cmd=['python3', '/opt/tool.py'])",
+        "ExecuteProcess(cmd=['python3', '-c', 'import arm.by_file'])",
+        "ExecuteProcess(cmd=['python3', '--version'])",
+        "ExecuteProcess(cmd=['cat', SHARE + '/scripts/tool.py'])",
+        "ExecuteProcess(cmd=['python3'])",
+    ],
+)
+def test_processes_of_python_that_are_no_nodes(tmp_path: Path, action: str) -> None:
+    files = {"scripts__tool_py": OF_ROS, "scripts__plain_py": "print(1)\n", "scripts__library_py": TALKER}
+    made = found(tmp_path, action, **files)
+    assert (started(made), [each.message for each in made.problems]) == ([], [])
+
+
+@pytest.mark.parametrize(
+    ("command", "words"),
+    [
+        ("['python3', '-m', 'arm.absent']", "starts 'python3 -m arm.absent': no file of the workspace is that module"),
+        ("['python3', '-m', LaunchConfiguration('m')]", "a part of the command line is not known"),
+        ("['python3', LaunchConfiguration('m')]", "a part of the command line is not known"),
+        ("['python3', SHARE + '/scripts/absent.py']", "it is not in the workspace"),
+        ("['python3', 'tool.py']", "depends on where launch is started"),
+    ],
+)
+def test_programs_of_python_that_are_not_found_are_named(tmp_path: Path, command: str, words: str) -> None:
+    made = found(tmp_path, f"ExecuteProcess(cmd={command})", scripts__tool_py=OF_ROS)
+    assert (started(made), [words in each.message for each in made.problems]) == ([], [True])
+
+
+@pytest.mark.parametrize(
+    ("action", "program", "reason"),
+    [
+        (
+            "Node(executable='python3', arguments=['-m', 'leg.walk'])",
+            "/python3",
+            "the program that python3 runs was not found in the workspace",
+        ),
+        ("Node(executable='/opt/walk')", "//opt/walk", "the code of /opt/walk is not in the workspace"),
+        # a name is looked for in the package, a path below it is none
+        (
+            "Node(package='arm', executable='scripts/tool.py')",
+            "arm/scripts/tool.py",
+            "package arm is in the workspace, but no C++ or Python program called scripts/tool.py was found in it",
+        ),
+        (
+            "Node(package='arm', executable='python3', arguments=['-m', 'arm.talker'])",
+            "arm/python3",
+            "package arm is in the workspace, but no C++ or Python program called python3 was found in it",
+        ),
+    ],
+)
+def test_nodes_without_a_package_that_are_not_found(tmp_path: Path, action: str, program: str, reason: str) -> None:
+    made = found(tmp_path, action, scripts__tool_py=OF_ROS)
+    main = next(each for each in made.configurations if each.name == "arm/launch/main.launch.py")
+    reasons = [each.reason for node in main.nodes for each in node.unknowns if each.field == "endpoints"]
+    assert (started(made), reasons) == ([program], [reason])

@@ -150,7 +150,7 @@ def started(context: Context, made: LaunchedNode) -> LaunchedNode:
     if "?" not in made.package and made.package:
         kind = "component" if made.kind == "component" else "node"
         note(context, PackageUse, place, kind=kind, package=made.package, is_here=False)
-        if made.type and "?" not in made.type:
+        if made.type and "?" not in made.type and not made.path:
             how = "component" if made.kind == "component" else "executable"
             note(context, ProgramUse, place, kind=how, package=made.package, program=made.type)
     for name, text in (("args", made.arguments), ("ros_args", made.ros_arguments), ("prefix", made.launch_prefix)):

@@ -7,7 +7,7 @@ from haros_ci.launch.python.builtin_functions import Summary
 from haros_ci.launch.python.conditions import tests_of
 from haros_ci.launch.python.launch_actions import simple, timer
 from haros_ci.launch.python.parameters import entry, of_values, remaps, source, sources
-from haros_ci.launch.python.phrases import flag, phrases_of, words
+from haros_ci.launch.python.phrases import INTERPRETER, flag, phrases_of, words
 from haros_ci.launch.python.run import ScriptEvaluation
 from haros_ci.launch.python.substitutions import pairs
 from haros_ci.launch.python.values import LaunchObject, LibraryCall, Unknown, Value, merged, phrase
@@ -33,6 +33,8 @@ def started(kind: str) -> Summary:
             return run.unknown(call.args[0].reason, call.location)
         if bound.get("executable") is None:
             return run.unknown(call.unknown or f"{call.name} is given no executable", call.location)
+        if bound["executable"] == INTERPRETER:
+            bound["executable"] = "python3"
         found = list(phrases_of(bound, COMMON, call))
         for name, called in (("arguments", "args"), ("ros_arguments", "ros_args")):
             if bound.get(name) is not None:

@@ -20,7 +20,7 @@ from haros_ci.model.launch import LaunchedNode, ParameterRule
 from haros_ci.model.launch_actions import Action, Substitution
 from haros_ci.model.location import Location
 from haros_ci.regex import regex
-from haros_ci.substitutions.names import MARK, Text, literal, unknown
+from haros_ci.substitutions.names import MARK, Text, literal, quoted, unknown
 
 _KINDS = {"node": "node", "lifecycle-node": "lifecycle", "container": "container", "component": "component"}
 #: The executable of a package, as ExecutableInPackage gives it.
@@ -36,6 +36,8 @@ TOOLS = {
 }
 #: What ends the words of a command in a shell.
 SHELL = regex(r"[;&|<>]|[12]>|.*;\Z")
+#: A package, a program of it, how many words say so, and its file where it is no program of the package.
+_Started = tuple[str, str, int, str]
 _Remaps = tuple[tuple[str, str, Location], ...]
 
 
@@ -59,7 +61,10 @@ def joined_namespace(base: Text | None, own: Text | None) -> Text | None:
 def node(context: Context, action: Action, conditions: tuple[Condition, ...]) -> LaunchedNode:
     """The process of a node or container *action*."""
     made = _started(context, action, conditions, None)
-    arguments, in_arguments = split_arguments(_text(context, action, "args").raw)
+    args = _text(context, action, "args").raw
+    if action.get("package") is None:
+        made, args = _without_package(context, made, _text(context, action, "executable").raw, args)
+    arguments, in_arguments = split_arguments(args)
     text = " ".join(part for part in (in_arguments, _text(context, action, "ros_args").raw) if part)
     unknowns = list(made.unknowns)
     for name, field in (("args", "arguments"), ("ros_args", "ros_arguments"), ("launch-prefix", "launch_prefix")):
@@ -77,6 +82,15 @@ def node(context: Context, action: Action, conditions: tuple[Condition, ...]) ->
         respawn=truth_of(_text(context, action, "respawn")) is True,
         unknowns=tuple(unknowns),
     )
+
+
+def _without_package(context: Context, made: LaunchedNode, executable: str, args: str) -> tuple[LaunchedNode, str]:
+    """A node whose executable is searched for as a command is (launch_ros/actions/node.py): as the program that it starts, with the arguments of that."""
+    words = [executable, *shell_words(args)]
+    started = _program(context, words) or _file(context, words)
+    if started is None:
+        return made, args
+    return replace(made, package=started[0], type=started[1], path=started[3]), _line(words[started[2] :])
 
 
 def component(context: Context, action: Action, conditions: tuple[Condition, ...], container: Text) -> LaunchedNode:
@@ -103,10 +117,16 @@ def _process(
     tool = TOOLS.get((words[1], words[2])) if words[:1] == ["ros2"] and len(words) > 2 else None
     if tool is not None:
         words = words[: next((number for number, word in enumerate(words) if SHELL.match(word)), None)]
-    started = _program(context, words) if tool is None else (tool, words[2], 3)
+    started: _Started | None = (tool, words[2], 3, "") if tool is not None else _program(context, words)
     if started is None:
-        return None
-    package, type_, count = started
+        started = _file(context, words)
+        if started is None or not python_programs.is_of_ros(context.places, started[3]):
+            reason = python_programs.why_not(context.places, words)
+            if reason:
+                shown = quoted(_shown(" ".join(words[:4])))
+                context.problem(action.location, f"starts {shown}: {reason}; what it starts is unknown")
+            return None
+    package, type_, count, path = started
     arguments, text = split_arguments(_line(words[count:])) if tool is None else (_line(words[count:]), "")
     environment = tuple((context.text(name), context.text(value)) for name, value in action.environment)
     return LaunchedNode(
@@ -122,7 +142,18 @@ def _process(
         presence=context.presence,
         environment=_environment(context, environment),
         unknowns=cmd.unknown("arguments", action.location),
+        path=path,
     )
+
+
+def _file(context: Context, words: list[str]) -> _Started | None:
+    """The file of the workspace that the interpreter of Python is given by *words*, and that is no program of a package under another name."""
+    path, count = python_programs.file_of(context.places, words)
+    owner = next((file.package for file in context.places.workspace.files if file.path == path), None) if path else None
+    start = context.places.files.directories.get(owner or "")
+    if owner is None or start is None:
+        return None
+    return owner, path if start == "." else path[len(start) + 1 :], count, path
 
 
 def command_of(context: Context, action: Action) -> Text:
@@ -162,7 +193,7 @@ def _node_name(words: list[str]) -> str | None:
     return None
 
 
-def _program(context: Context, words: list[str]) -> tuple[str, str, int] | None:
+def _program(context: Context, words: list[str]) -> _Started | None:
     """Package and executable that *words* start, and how many of them say so; None for a program of no package.
 
     ``ros2 run`` finds what is in ``lib/<package>`` below the package's prefix; so does ExecutableInPackage.
@@ -172,19 +203,19 @@ def _program(context: Context, words: list[str]) -> tuple[str, str, int] | None:
         start = 2
         while len(words) > start and words[start].startswith("-"):
             start += 2 if words[start] == "--prefix" else 1
-        return (words[start], words[start + 1], start + 2) if len(words) > start + 1 else None
+        return (words[start], words[start + 1], start + 2, "") if len(words) > start + 1 else None
     if words[:1] in (["gazebo"], ["gzserver"]) and any(word.startswith("libgazebo_ros_") for word in words):
-        return "gazebo_ros", words[0], 1
+        return "gazebo_ros", words[0], 1, ""
     if words[:1] and words[0] in python_programs.INTERPRETERS:
         start = next((number for number, word in enumerate(words[1:], 1) if word not in python_programs.FLAGS), 1)
     if start and words[start : start + 1] == ["-m"] and len(words) > start + 1:
         module = python_programs.of_module(context.places, words[start + 1])
-        return (*module, start + 2) if module is not None else None
+        return (*module, start + 2, "") if module is not None else None
     match = _IN_PACKAGE.fullmatch(words[start]) if len(words) > start else None
     if match is None and len(words) > start:
         file = python_programs.of_file(context.places, words[start])
-        return (*file, start + 1) if file is not None else None
-    return (match[1], match[2], start + 1) if match is not None else None
+        return (*file, start + 1, "") if file is not None else None
+    return (match[1], match[2], start + 1, "") if match is not None else None
 
 
 def split_arguments(text: str) -> tuple[str, str]:
