@@ -110,6 +110,10 @@ class Types:
     versions: Mapping[str, int | None] = field(default_factory=dict)
     #: The files of programs that are of the other ROS than their package, with that ROS.
     left_out: Mapping[str, int] = field(default_factory=dict)
+    #: What finds shell scripts by package and name; "" where there is none.
+    shell_script: Callable[[str, str], str] = lambda package, name: ""
+    #: The program, by package and name, that a shell script hands its words to.
+    handed: Callable[[str, str], tuple[str, str] | None] = lambda package, name: None
     #: Files of Python that are run by themselves, by path.
     by_file: dict[str, tuple[Entry, frozenset[str]]] = field(default_factory=dict)
 

@@ -27,6 +27,7 @@ from haros_ci.systems import client_libraries, definitions, gazebo_plugins, othe
 from haros_ci.systems.entries import Programs, declared, executables, nodelets, plugin_files, plugins, plugins_of_base
 from haros_ci.systems.following import KnownNodes, Types
 from haros_ci.systems.ros2_entries import Found
+from haros_ci.systems.shell_scripts import ShellScripts
 from haros_ci.timing import timed
 
 
@@ -70,6 +71,7 @@ def types_of(
     reader, xml = YamlFiles(files), XmlFileReader(load, files)
     tree_libraries = behavior_tree_files.library_files(cpp, builds)
     versions = {package.name: package.ros for package in workspace.packages}
+    shell = ShellScripts(workspace, builds)
     of_version = partial(_of_version, programs, versions)
     older = executables(programs)
     ordinary = of_version(older, 1)
@@ -101,6 +103,8 @@ def types_of(
         trees=TreeFiles(xml, cpp, builds) if behavior_tree_files.users(cpp) else None,
         xml=xml,
         versions=versions,
+        shell_script=shell.find,
+        handed=shell.program,
         left_out=other_ros.left_out(programs, (older, components, newer), versions),
     )
 

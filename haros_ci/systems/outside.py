@@ -119,12 +119,21 @@ def why(types: Types, package: str, name: str, ros: int, nodelet: str | None) ->
             if target.component:
                 return f"{what} ({where}) runs {target.component}, a component of ROS 2, and is not followed here"
             return f"no main function was found in the sources of {what} ({where})"
+    return _unbuilt(types, package, name, ros, build)
+
+
+def _unbuilt(types: Types, package: str, name: str, ros: int, build: Build) -> str:
+    """Why a node is not followed that is no target of its *package*."""
+    what, programs = f"{package}/{name}", types.programs
     path = script_named(build, name)
     if path in types.left_out:
         client = types.left_out[path]
         return f"{what} ({path}) uses the client library of ROS {client}, but its package is taken for ROS {3 - client}"
     if path in programs.sources and client_of(programs, programs.sources[path]) == 3 - ros:
         return f"{what} ({path}) is a program of the other ROS"
+    path = types.shell_script(package, name)
+    if path:
+        return f"{what} ({path}) is a shell script: what it starts is not known"
     return f"package {package} is in the workspace, but no C++ or Python program called {name} was found in it"
 
 

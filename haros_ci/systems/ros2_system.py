@@ -46,6 +46,9 @@ def launched(types: Types, node: LaunchedNode, containers: Mapping[str, Launched
     controller = types.controllers.get(node.type) if node.kind == "node" and node.container is not None else None
     started = _started_in(node, container, controller is not None)
     key = (node.package, node.type)
+    if node.kind in ("node", "lifecycle") and not (node.path or key in types.ros2_programs):
+        key = types.handed(*key) or key  # a shell script that is another program
+        node = replace(node, package=key[0], type=key[1])
     found = types.components.get(key) if node.kind == "component" else types.ros2_programs.get(key)
     if controller is not None:
         found = controller.entry, controller.files

@@ -64,6 +64,9 @@ class Job:
 
 def launched(types: Types, started: Started, server: ParameterServer) -> Job:
     """The node that a launch file starts."""
+    if (started.package, started.type) not in types.startable:
+        handed = types.handed(started.package, started.type)  # a shell script that is another program
+        started = started if handed is None else replace(started, package=handed[0], type=handed[1])
     words = split(started.arguments)
     namespace = started.namespace if started.namespace.startswith("/") else f"/{started.namespace}"
     for special, value in words.special:
