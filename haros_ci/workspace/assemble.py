@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Collection, Iterable
 from dataclasses import replace
 from pathlib import Path
 
@@ -17,6 +17,7 @@ from haros_ci.regex import regex
 from haros_ci.workspace.content import examine
 from haros_ci.workspace.files import TextReader
 from haros_ci.workspace.generated import says_generated
+from haros_ci.workspace.installed_beside import installed_beside, is_program
 from haros_ci.workspace.known_copies import copied_library, is_of_project
 from haros_ci.workspace.package_xml import parse_package, settled, supports_both
 from haros_ci.workspace.third_party import ThirdParty
@@ -168,7 +169,8 @@ def assemble(
     reader = TextReader(root, listed, max_file_size, elsewhere, buffer)
     found += _of_rosbuild(owned, names, reader)
     found += _of_sketches(names, reader)
-    found += _of_no_package(owned, reader)
+    executables = None if executables is None else frozenset(executables)
+    found += _of_no_package(owned, reader, executables)
     found += _cpp_of_no_package(owned, initialised, names, reader)
     found += _launch_files_of_no_package(owned, every, reader)
     return Workspace(
@@ -183,7 +185,7 @@ def assemble(
         faults=in_order(fault for _, fault in packages.values() if fault is not None),
         links=tuple(sorted(links.items())),
         names=names,
-        executables=None if executables is None else frozenset(executables),
+        executables=executables,
         hiding=Hiding(unread=in_order(unread)),
     )
 
@@ -263,8 +265,10 @@ def _of_sketches(names: frozenset[str], reader: TextReader) -> Iterable[Problem]
         yield Problem(found[0], f"{what} {verb} ROS: what such nodes publish and subscribe to is not in the model")
 
 
-def _of_no_package(files: Iterable[SourceFile], reader: TextReader) -> Iterable[Problem]:
-    """One problem for all Python programs that talk to ROS and lie in no package: people start them by their paths, and no node is made of them."""
+def _of_no_package(
+    files: Collection[SourceFile], reader: TextReader, executables: Collection[str] | None
+) -> Iterable[Problem]:
+    """One problem for all Python programs that talk to ROS and lie in no package, nor are installed by one: people start them by their paths, and no node is made of them."""
     found = []
     for file in files:
         if file.package is None and file.language == "python" and not file.third_party:
@@ -273,6 +277,8 @@ def _of_no_package(files: Iterable[SourceFile], reader: TextReader) -> Iterable[
                 text = reader.text(file.path)
                 if _CLIENT.search(text) and _STARTED.search(text):
                     found.append(file.path)
+    beside = installed_beside(files, reader.text) if found else ()
+    found = [path for path in found if not is_program(path, beside, executables)]
     yield from _in_no_package(found, ("Python program of ROS", "Python programs of ROS"), _LOST)
 
 

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import posixpath
 from collections.abc import Callable, Mapping
 from types import MappingProxyType
 
@@ -11,6 +12,8 @@ from haros_ci.workspace.cmake_configured import install_made
 from haros_ci.workspace.cmake_keywords import under
 from haros_ci.workspace.cmake_state import CMakeState, EvaluatedCommand
 from haros_ci.workspace.cmake_words import bare, inside, is_certain, join_list, place, readable, split_list
+from haros_ci.workspace.installed_beside import keeps_permissions
+from haros_ci.workspace.tree import MAX_MATCHED
 
 _ARTEFACTS = ("ARCHIVE", "LIBRARY", "RUNTIME", "OBJECTS", "FRAMEWORK", "BUNDLE", "PUBLIC_HEADER", "PRIVATE_HEADER")
 _TARGET_FLAGS = (*_ARTEFACTS, "RESOURCE", "OPTIONAL", "EXCLUDE_FROM_ALL", "NAMELINK_ONLY", "NAMELINK_SKIP")
@@ -61,8 +64,25 @@ def install_files(state: CMakeState, call: EvaluatedCommand, kind: str, words: l
             is_content = element.endswith(("/", "/.")) or element == "."
             final = destination if is_content else f"{destination}/{base}".lstrip("/")
             state.installed.setdefault((path, kind, final, ""), call.location)
+            if keeps_permissions(words):
+                _programs_beside(state, call, path, final)
         else:
             state.installed.setdefault((path, kind, destination, readable(renamed) or base), call.location)
+
+
+def _programs_beside(state: CMakeState, call: EvaluatedCommand, directory: str, destination: str) -> None:
+    """The programs of a *directory* that lies outside of the package: ``ros2 run`` and rosrun look for them below ``lib/<package>``."""
+    start, goal = state.package.path, f"lib/{state.package.name}"
+    is_own = start == "." or f"{directory}/".startswith(f"{start}/") or f"{start}/".startswith(f"{directory}/")
+    if is_own or not f"{destination}/".startswith(f"{goal}/"):
+        return
+    workspace = state.tree.workspace
+    for path in state.tree.below(directory)[:MAX_MATCHED]:
+        is_executable = workspace.executables is None or path in workspace.executables
+        if is_executable and workspace.text(path).startswith("#!"):
+            inner = posixpath.dirname(path[len(directory) + 1 :])
+            final = posixpath.join(destination, inner) if inner else destination
+            state.installed.setdefault((path, "program", final, posixpath.basename(path)), call.location)
 
 
 def tidy(destination: str) -> str:
